@@ -211,7 +211,7 @@ class Ratchet(Case):
             self.ratchet.write_text(f"axiscert-ratchet/{version} x\n")
             self.refused("run", "--ratchet", self.ratchet, "--out", out,
                          says=[f"ratchet.txt:1: 'axiscert-ratchet/{version}'", "run without --ratchet, and review the ratchet.txt"])
-        head = "axiscert-ratchet/4 %s\nkernel: published\npromise: binary32 queries=9 touching=contact\n"
+        head = "axiscert-ratchet/5 %s\nkernel: published\npromise: binary32 queries=9 touching=contact\n"
         self.ratchet.write_text(head % "x" + "nonsense\n")
         self.refused("run", "--ratchet", self.ratchet, "--out", out, says=["ratchet.txt:4", "'nonsense' before accept:"])
         self.ratchet.write_text(head % "x")

@@ -149,8 +149,10 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
     ++tally.normal->judged;
     tally.normal->largest_angle.offer({*judgement.normal_angle, position});
   }
-  if (judgement.normal_length_error)
+  if (judgement.normal_length_error) {
+    ++tally.normal->lengths;
     tally.normal->largest_length_error.offer({*judgement.normal_length_error, position});
+  }
   if (judgement.pushed) count_pushed(*tally.pushed, position, *judgement.pushed);
   count_error_of(*tally.point, position, judgement.point_error);
   count_error_of(*tally.point_a, position, judgement.point_a_error);

@@ -186,13 +186,14 @@ struct FeatureTally {
 };
 
 struct NormalTally {
-  std::uint64_t judged = 0, none = 0;
+  std::uint64_t judged = 0, lengths = 0, none = 0;
   Leaders<double> largest_angle, largest_length_error;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
         field(&NormalTally::judged,
               {"judged", "Answers with a normal, where there is a single exact one, of motions at the first contact."}),
+        field(&NormalTally::lengths, {"lengths", "Answers with a normal, whose length was judged."}),
         field(&NormalTally::none,
               {"none", "Answers without one, though there is one; of motions that overlap at the start not counted."}),
         field(&NormalTally::largest_angle,

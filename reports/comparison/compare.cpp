@@ -9,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "reports/comparison/pairing.h"
+#include "reports/comparison/shown.h"
 #include "reports/wording/evidence.h"
 #include "reports/run_folder/identity.h"
 #include "reports/wording/summary.h"
@@ -120,6 +121,7 @@ class Comparer {
       const PromiseChange change = change_of(promise_in(*then), promise_in(*now));
       if (change.is_none()) {
         compare_populations(kernel, *then, *now);
+        compare_shown(kernel, *then, *now);
         continue;
       }
       for (const auto& [family, result] : then->families) apart_.insert({kernel.before, precision, family});
@@ -172,6 +174,22 @@ class Comparer {
                                  thousands(fresh.promised()), thousands(old.promised()));
       }
       note(std::move(absent));
+    }
+  }
+
+  // Numbers that stand beside fewer answers to the same queries.
+  void compare_shown(const ComparedKernel& kernel, const KernelRecord& then, const KernelRecord& now) {
+    const std::string precision(name(then.precision));
+    for (const auto& [family, result] : then.families) {
+      const FamilyRecord* const other = now.families.find(family);
+      if (other == nullptr || !has_same_queries(family, then.precision)) continue;
+      const std::uint64_t changed = changed_verdicts(result.verdict, other->verdict);
+      for (const auto& [name, text, is_gone] : hidden_since(shown_in(result), shown_in(*other), changed)) {
+        if (is_gone) continue;  // which is said of the kernel
+        fewer_.insert({kernel.before, precision, family, name});
+        note({fmt::format("{} {} on {}: {}", kernel.before, precision, family, name), text, kernel.names(), family,
+              Absence::fails});
+      }
     }
   }
 
@@ -261,7 +279,9 @@ class Comparer {
       compared.is_breach = x.is_zero() && !y.is_zero() && is_breach(y);
     } else if (x.kind != Cell::Kind::finding && compared.same_queries && x.figure != y.figure) {
       const bool grew = x.kind == Cell::Kind::count ? x.count() < y.count() : is_less(x.figure, y.figure);
-      compared.change = direction(x, y, grew);
+      const bool is_over_fewer =
+          fewer_.contains({pairs_.of(x, true).before, x.precision, x.family, std::string(shown_of_place(x.place))});
+      if (grew || !is_over_fewer) compared.change = direction(x, y, grew);
     }
     result_.cells.push_back(std::move(compared));
   }
@@ -326,6 +346,7 @@ class Comparer {
   RunComparison result_;
   std::set<std::string> said_;                              // each `what` of not_compared, with its kernel
   std::set<std::string> lost_;                              // families of one plan alone
+  std::set<std::array<std::string, 4>> fewer_;              // a number that stands beside fewer answers
   std::set<FamilyOfKernel> apart_;                          // counted over other promised queries
   std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
 };

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <sstream>
 
 #include "kernel/base/error.h"
 
@@ -84,7 +83,7 @@ class Reader {
     throw Error(
         fmt::format("'{}' is {}; a promise is touching=contact, separated or either, and as needed "
                     "coordinate>=X, coordinate<=X, area>=X, radius>=X, radius<=X, margin=X, front_only, may_decline, "
-                    "shows=NAME,NAME, and of motions start=, still=, sides=",
+                    "and of motions start=, still=, sides=",
                     word, what));
   }
 
@@ -99,22 +98,11 @@ class Reader {
       into = *found;
     };
     if (name == "touching") return put(promise_.touching, touching_names);
-    if (name == "shows") return add_shown(word, value);
     if (name != "start" && name != "still" && name != "sides") fail(word, "no part of a promise");
     if (!promise_.motion) promise_.motion.emplace();
     if (name == "start") put(promise_.motion->start, start_policy_names);
     else if (name == "still") put(promise_.motion->still, still_policy_names);
     else put(promise_.motion->sides, sides_policy_names);
-  }
-
-  void add_shown(const std::string& word, const std::string& value) {
-    std::stringstream names(value);
-    for (std::string one; std::getline(names, one, ',');) {
-      if (std::ranges::find(promise_.shows, one) != promise_.shows.end()) fail(word, "with a name twice");
-      promise_.shows.push_back(one);
-    }
-    if (value.empty() || value.ends_with(',') || std::ranges::find(promise_.shows, "") != promise_.shows.end())
-      fail(word, "without a name");
   }
 
   void add_bound(const std::string& word, const std::string& name, const std::string& sign, const std::string& value) {
@@ -129,16 +117,6 @@ class Reader {
   std::set<std::string> seen_;
 };
 
-// All that one shows with this exposure and the first so many of its predicate's measures.
-std::vector<std::string> shown_by(const Predicate& predicate, Exposure exposes, std::size_t measures) {
-  std::vector<std::string> names;
-  for (const Exposure shown : enumerators<Exposure>) {
-    if (shown != Exposure::verdict && shown <= exposes) names.emplace_back(name(shown));
-  }
-  for (std::size_t k = 0; k < measures; ++k) names.emplace_back(predicate.measures[k].name);
-  return names;
-}
-
 }  // namespace
 
 Promise promise_in(const KernelRecord& entry) {
@@ -150,17 +128,12 @@ Promise promise_in(const KernelRecord& entry) {
     promise.limits.sides = entry.limits->sides.value_or(SidesPolicy::both);
   }
   if (entry.motion) promise.motion = MotionPolicy{entry.motion->start, entry.motion->still, entry.motion->sides};
-  for (const Exposure shown : entry.exposes) {
-    if (shown != Exposure::verdict) promise.shows.emplace_back(name(shown));
-  }
-  if (entry.measures) promise.shows.insert(promise.shows.end(), entry.measures->begin(), entry.measures->end());
   return promise;
 }
 
 Promise promise_of_kernel(const Kernel& kernel) {
   Promise promise{kernel.touching, kernel.limits, std::nullopt, kernel.may_decline};
   if (is_of_motions(*kernel.predicate)) promise.motion = kernel.motion;
-  promise.shows = shown_by(*kernel.predicate, kernel.exposes, kernel.measure_count);
   return promise;
 }
 
@@ -194,18 +167,6 @@ PromiseChange change_of(const Promise& before, const Promise& now) {
   return change;
 }
 
-std::vector<std::string> shown_names(const Predicate& predicate) {
-  return shown_by(predicate, Exposure::sides, predicate.measures.size());
-}
-
-std::vector<std::string> hidden_since(const Promise& before, const Promise& now) {
-  std::vector<std::string> hidden;
-  for (const std::string& shown : before.shows) {
-    if (std::ranges::find(now.shows, shown) == now.shows.end()) hidden.push_back(shown);
-  }
-  return hidden;
-}
-
 std::vector<std::string> words_of_promise(const Promise& promise) {
   std::vector<std::string> words = {fmt::format("touching={}", name(promise.touching))};
   for (const Bound& bound : bounds) {
@@ -218,7 +179,6 @@ std::vector<std::string> words_of_promise(const Promise& promise) {
     words.push_back(fmt::format("sides={}", sides_policy_names[promise.motion->sides]));
   }
   if (promise.limits.sides == SidesPolicy::front) words.emplace_back(front_word);
-  if (!promise.shows.empty()) words.push_back(fmt::format("shows={}", fmt::join(promise.shows, ",")));
   if (promise.may_decline) words.emplace_back(may_decline_word);
   return words;
 }

@@ -17,8 +17,6 @@ struct Promise {
   Limits limits = {};
   std::optional<MotionPolicy> motion = {};  // of a predicate of motions
   bool may_decline = false;
-  // The results beside its verdict, in the record's names: "comparisons", "sides", "separation".
-  std::vector<std::string> shows = {};
   bool operator==(const Promise&) const = default;
 };
 
@@ -37,13 +35,9 @@ struct PromiseChange {
                   AXISCERT_FIELD(other, "Parts that leave out less, or that mean another answer.", "parts"))
 };
 PromiseChange change_of(const Promise& before, const Promise& now);
-// All that a kernel of a predicate may show.
-std::vector<std::string> shown_names(const Predicate& predicate);
-// What it showed and shows no more: figures of it are missing, and all others are over the same queries.
-std::vector<std::string> hidden_since(const Promise& before, const Promise& now);
 
 // The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported",
-// "shows=comparisons,sides", "may_decline". What it does not limit is not named, but for `touching` and the policies of
+// "may_decline". What it does not limit is not named, but for `touching` and the policies of
 // a predicate of motions.
 std::vector<std::string> words_of_promise(const Promise& promise);
 // The same, read. Each word may stand once. Throws Error that names the word and says what would be right.

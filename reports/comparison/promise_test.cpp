@@ -1,6 +1,7 @@
 // Who promises less is worse by that alone, and figures over other promised queries are not compared, whatever they
 // are.
 #include "reports/comparison/promise.h"
+#include "reports/comparison/shown.h"
 
 #include "reports/comparison/compare.h"
 #include "reports/comparison/comparison_report.h"
@@ -22,8 +23,7 @@ Promise narrowed() {
   return {TouchingPolicy::either,
           {.least_radius = 1e30},
           MotionPolicy{StartPolicy::ignored, StillPolicy::ignored, SidesPolicy::front},
-          true,
-          {"time"}};
+          true};
 }
 
 TEST(Promise, EachPartThatLeavesOutMoreIsNamed) {
@@ -38,11 +38,15 @@ TEST(Promise, EachPartThatLeavesOutMoreIsNamed) {
   EXPECT_TRUE(change_of(narrowed(), narrowed()).is_none());
 }
 
-TEST(Promise, WhatIsShownNoMoreIsNamed) {
-  const Promise both{.shows = {"comparisons", "normal_x"}}, one{.shows = {"comparisons"}};
-  EXPECT_THAT(hidden_since(both, one), ElementsAre("normal_x"));
-  EXPECT_THAT(hidden_since(one, both), IsEmpty());
-  EXPECT_TRUE(change_of(both, one).is_none()) << "the verdicts are over the same queries";
+TEST(Shown, WhatIsShownNoMoreIsNamed) {
+  const std::vector<Shown> both{{"comparisons"}, {"normal", 9}}, one{{"comparisons"}};
+  const std::vector<Hidden> hidden = hidden_since(both, one, 100);
+  ASSERT_EQ(hidden.size(), 1u);
+  EXPECT_EQ(hidden[0].text, "no normal any more");
+  EXPECT_TRUE(hidden[0].is_gone);
+  EXPECT_THAT(hidden_since(one, both, 0), IsEmpty());
+  EXPECT_THAT(hidden_since({{"normal", 9}}, {{"normal", 7}}, 2), IsEmpty()) << "with their verdicts";
+  EXPECT_EQ(hidden_since({{"normal", 9}}, {{"normal", 7}}, 1).at(0).text, "normal beside 7 answers, 9 before");
 }
 
 TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {
@@ -66,7 +70,7 @@ TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {
 TEST(Promise, ComesBackFromItsWords) {
   const std::vector<std::string> words = words_of_promise(narrowed());
   EXPECT_THAT(words, ElementsAre("touching=either", "radius>=1e+30", "start=ignored", "still=ignored", "sides=front",
-                                 "shows=time", "may_decline"));
+                                 "may_decline"));
   EXPECT_EQ(promise_of_words(words), narrowed());
   const Promise limits{.limits = {0.1, 3, 1e-300, 0.25, 5}};
   EXPECT_EQ(promise_of_words(words_of_promise(limits)), limits);
@@ -83,7 +87,6 @@ TEST(Promise, AWordThatIsNoPartOfItIsRefused) {
   refused({"touching=contact", "radius>1"}, "no part of a promise");
   refused({"touching=contact", "area<=1"}, "no part of a promise");
   refused({"touching=contact", "start=reported"}, "has start=, still= and sides=");
-  refused({"touching=contact", "shows="}, "without a name");
   refused({"touching=contact", "declines"}, "no part of a promise");
 }
 

@@ -230,8 +230,8 @@ void add_worst(const Subject& subject, LevelFindings& found, const std::string& 
 }
 
 // Normals beside separations alone say nothing of those beside contacts, by which bodies are pushed.
-LevelFindings look_at_normals(const Subject& subject) {
-  LevelFindings found = look_at(subject, counts_of(&ContactTally::normal), MeasureKind::normal, "normal");
+LevelFindings look_at_normals(const Subject& subject, const Counts& counts) {
+  LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal");
   if (found.not_checked.empty())
     found.not_checked = seldom_text(subject, counts_of(&ContactTally::pushed), "normal of an overlap");
   return found;
@@ -239,7 +239,7 @@ LevelFindings look_at_normals(const Subject& subject) {
 
 LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, angle_bound);
-  LevelFindings found = look_at_normals(subject);
+  LevelFindings found = look_at_normals(subject, counts_of(&ContactTally::normal));
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
     add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
@@ -250,7 +250,10 @@ LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
 
 LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, length_bound);
-  LevelFindings found = look_at_normals(subject);
+  const Counts lengths = [](const ContactTally& contacts) {
+    return contacts.normal ? std::optional(Given{contacts.normal->lengths, contacts.normal->none}) : std::nullopt;
+  };
+  LevelFindings found = look_at_normals(subject, lengths);
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     add_worst(subject, found, family, normal.largest_length_error.best(), most, "length of a normal", " of 1",
               "largest error of a normal's length");

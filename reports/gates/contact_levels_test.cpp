@@ -31,8 +31,11 @@ Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle
   found["time"]["early_errors"]["largest_length"] = std::ldexp(earliest_u, -5);
   found["feature"] = {
       {"judged", 900 - none}, {"none", none}, {"wrong", wrong}, {"unnamed", 0}, {"largest_error", region}};
-  found["normal"] = {
-      {"judged", 900 - none}, {"none", none}, {"largest_angle", angle}, {"largest_length_error", length}};
+  found["normal"] = {{"judged", 900 - none},
+                     {"lengths", 900 - none},
+                     {"none", none},
+                     {"largest_angle", angle},
+                     {"largest_length_error", length}};
   found["point"] = {{"judged", 900 - none}, {"none", none}, {"largest_error", point}};
   return found;
 }
@@ -113,6 +116,16 @@ TEST(ContactLevels, AKernelThatGivesNoneOrSeldomIsNotChecked) {
     EXPECT_THAT(seldom.reason, HasSubstr("beside 507 of 907 contacts, and has to beside half of them"));
     EXPECT_EQ(outcomes_at(stored_record(), level)[0].reason, none.reason) << level;
   }
+}
+
+// At the distance 0 a normal has a length, and no exact one to be compared with.
+TEST(ContactLevels, ALengthIsJudgedWhereTheAngleIsNot) {
+  Json found = numbers(0, 0, 0, 0, 0, 0);
+  found["normal"]["judged"] = 0;
+  EXPECT_EQ(outcomes_at(with_numbers(found), "unit=0.1")[0].state, LevelState::met);
+  EXPECT_EQ(outcomes_at(with_numbers(found), "normal=1")[0].state, LevelState::not_checked);
+  found["normal"]["lengths"] = 0;
+  EXPECT_EQ(outcomes_at(with_numbers(found), "unit=0.1")[0].state, LevelState::not_checked);
 }
 
 TEST(ContactLevels, ABoundIsANumberInItsRange) {

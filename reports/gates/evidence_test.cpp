@@ -152,6 +152,43 @@ TEST(LookedAt, AFileIsLookedAtWholeAndASampleIsNotSmallerThanThat) {
   }
 }
 
+// One line of seven was looked at, which is all of this precision.
+TEST(LookedAt, LinesOfAPrecisionInWhichTheKernelDoesNotExistAreLeftOut) {
+  Json record = right_kernel();
+  const std::string family = "queries/seven.jsonl";
+  kernel_of(record)["families"][family] = family_of(record);
+  Json& one = kernel_of(record)["families"][family];
+  one["trials"] = one["base_triangles"] = 1;
+  one["truth"] = {{"separated", 0}, {"contact", 1}, {"touching", 0}, {"invalid", 0}};
+  record["plan"]["families"].push_back(family);
+  record["plan"]["trials"][family] = {{"binary32", 1}, {"binary64", 6}};
+  const std::string lines = "6 of 7 queries of queries/seven.jsonl, which are of binary64: it does not exist in it";
+  const LevelOutcome found = judged_at(record, "exact");
+  EXPECT_EQ(found.state, LevelState::met);
+  EXPECT_THAT(found.leaves_out, HasSubstr(lines));
+  EXPECT_THAT(judged_at(record, "exact in lattice").leaves_out, testing::Not(HasSubstr(lines)));
+  EXPECT_THAT(unjudged(record), Contains("<script>: NOT JUDGED on " + lines));
+  Json wide = kernel_of(record);
+  wide["precision"] = "binary64";
+  record["kernels"].push_back(wide);
+  for (const LevelOutcome& each : outcomes_at(record, "exact"))
+    EXPECT_THAT(each.leaves_out, testing::Not(HasSubstr(lines)));
+}
+
+TEST(LookedAt, AMarginIsOfQueriesThatAreNotPromised) {
+  Json record = right_kernel();
+  declare_limits(record);
+  kernel_of(record)["limits"]["least_radius"] = nullptr;
+  kernel_of(record)["limits"]["margin"] = 0.005;
+  for (const char* family : {"lattice", "tangent"}) {
+    put_outside(verdict_of(record, family), 0, 0, 2900);
+    verdict_of(record, family)["outside_limits"]["false_contact"] = 2900;
+  }
+  const LevelOutcome found = judged_at(record, "keeps-margin");
+  EXPECT_EQ(found.state, LevelState::met);
+  EXPECT_THAT(found.text(), HasSubstr("5,800 of 5,800 queries apart by no more than its margin looked at"));
+}
+
 TEST(LookedAt, AFamilyWhollyOutsideIsNamedInTheFirstSentence) {
   Json record = right_kernel();
   declare_limits(record);

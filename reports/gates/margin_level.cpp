@@ -49,6 +49,7 @@ extern const GateLevel keeps_margin_level = {
           return std::string("contact wherever the two are apart by no more than the margin that the kernel declares");
         },
     .judge = judge_keeps_margin,
+    .looks_at = "queries apart by no more than its margin",
     .in_certificates = {}};  // few kernels declare one
 
 }  // namespace axiscert

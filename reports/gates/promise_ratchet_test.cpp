@@ -1,4 +1,5 @@
 // A ratchet holds what each kernel promises: who promises less is worse, and who promises other things is not compared.
+#include "reports/comparison/compare.h"
 #include "reports/gates/ratchet.h"
 #include "reports/testing/edited_record.h"
 #include "reports/testing/test_run.h"
@@ -65,8 +66,47 @@ TEST(RatchetOfPromises, ALimitIsWorseThanAnyFigure) {
 TEST(RatchetOfPromises, ComparisonsThatAreShownNoMoreAreLess) {
   Json now = without_errors(stored_record());
   now["kernels"][0]["exposes"] = {"verdict"};
-  EXPECT_THAT(failures_of_promises(held_to(without_errors(stored_record()), now)),
-              ElementsAre("published binary32 shows less than the ratchet: no comparisons, sides any more (r.txt:4)"));
+  EXPECT_THAT(
+      failures_of_promises(held_to(without_errors(stored_record()), now)),
+      ElementsAre(
+          "published binary32 shows less than the ratchet: no comparisons any more; no sides any more (r.txt:4)"));
+}
+
+// The greatest error is less, since the numbers with the greater ones are not given any more.
+TEST(RatchetOfPromises, ANumberBesideFewerAnswersIsNoBetter) {
+  const auto giving = [](std::uint64_t answers, double error, std::uint64_t phantoms) {
+    Json record = without_errors(stored_record());
+    Json& tangent = tangent_counts(record);
+    tangent["verdict"]["false_contact"] = phantoms;
+    Json& contacts = tangent["contacts"];
+    contacts = json_of(ContactTally());
+    contacts["answers"] = 900;
+    for (auto& [name, part] : contacts.items()) {
+      if (name != "answers" && name != "separation") part = nullptr;
+    }
+    contacts["separation"]["judged"] = answers;
+    contacts["separation"]["largest_error"] = error;
+    record["kernels"][0]["measures"] = {"separation"};
+    return record;
+  };
+  const RatchetOutcome fewer = held_to(giving(900, 0.5, 0), giving(400, 0.25, 0));
+  EXPECT_THAT(failures_of_promises(fewer),
+              ElementsAre("published binary32 shows less than the ratchet: separation beside 400 answers, 900 before "
+                          "(r.txt:4)"));
+  EXPECT_THAT(fewer.better, IsEmpty());
+  EXPECT_THAT(fewer.accepted, HasSubstr("accept: EXPIRY OWNER REASON\n")) << "over fewer answers";
+  EXPECT_THAT(held_to(giving(900, 0.5, 0), giving(400, 0, 0)).better, IsEmpty());
+  const RatchetOutcome mended = held_to(giving(900, 0.5, 500), giving(400, 0.25, 0));
+  EXPECT_THAT(failures_of_promises(mended), IsEmpty()) << "a phantom that is mended takes its number along";
+  EXPECT_THAT(mended.better, testing::SizeIs(2));
+
+  const RunComparison found = compare_records(giving(900, 0.5, 0), giving(400, 0.25, 0), {});
+  EXPECT_FALSE(found.passes());
+  EXPECT_EQ(found.count(Change::better), 0u);
+  ASSERT_EQ(found.not_compared.size(), 1u);
+  EXPECT_EQ(found.not_compared[0].what + ": " + found.not_compared[0].why,
+            "published binary32 on tangent: separation: separation beside 400 answers, 900 before");
+  EXPECT_TRUE(compare_records(giving(900, 0.5, 500), giving(400, 0.25, 0), {}).passes());
 }
 
 TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
@@ -164,8 +204,15 @@ TEST(RatchetOfPromises, BadLinesAreNamed) {
   EXPECT_THAT(with("queries=4495", "queries=-1"), HasSubstr("'queries=-1' is not queries=NUMBER"));
   EXPECT_THAT(with("queries=4495 ", ""), HasSubstr("PRECISION queries=NUMBER touching=ANSWER"));
   EXPECT_THAT(with("binary32 queries", "binary16 queries"), HasSubstr("PRECISION 'binary16'"));
+  EXPECT_THAT(with("=comparisons,sides", "=comparisons,sides,comparisons"),
+              HasSubstr("shows= has 'comparisons' twice"));
+  EXPECT_THAT(with("=comparisons,", "=comparisons:3,"), HasSubstr("shows= has 'comparisons:3', and comparisons and"));
+  EXPECT_THAT(with("=comparisons,", "=separation,"), HasSubstr("shows= has 'separation', and comparisons and sides"));
+  EXPECT_THAT(with("=comparisons,", "=separation:-1,"), HasSubstr("shows= has 'separation:-1', and"));
+  EXPECT_THAT(with("=comparisons,", "=,"),
+              HasSubstr("shows= has '', which is none of: comparisons, sides, separation"));
   EXPECT_THAT(with("touching=contact", "touch=contact"), HasSubstr("r.txt:4: 'touch=contact' is no part of a promise"));
-  EXPECT_THAT(promise_error("axiscert-ratchet/4 p\n"), HasSubstr("without a promise: line it holds no kernel"));
+  EXPECT_THAT(promise_error("axiscert-ratchet/5 p\n"), HasSubstr("without a promise: line it holds no kernel"));
 }
 
 }  // namespace

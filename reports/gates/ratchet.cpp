@@ -52,14 +52,22 @@ using Group = std::vector<const RatchetEntry*>;
 // The promise of a kernel's entry in a record; one that was edited may hold a kernel that its plan does not.
 HeldPromise promise_held(const KernelRecord& kernel, const Identities& identities) {
   const auto known = identities.find(kernel.id);
-  return {known == identities.end() ? kernel.id : known->second, std::string(name(kernel.precision)),
-          promise_in(kernel), evidence_of(kernel).promised(), 0};
+  return {known == identities.end() ? kernel.id : known->second,
+          std::string(name(kernel.precision)),
+          promise_in(kernel),
+          shown_in(kernel),
+          evidence_of(kernel).promised(),
+          0};
 }
 
 class Holder {
  public:
   Holder(const Ratchet& ratchet, const Record& record, std::string today)
-      : ratchet_(ratchet), record_(record), identities_(identities_of(record)), today_(std::move(today)) {
+      : ratchet_(ratchet),
+        record_(record),
+        cells_(cells_of(record)),
+        identities_(identities_of(record)),
+        today_(std::move(today)) {
     for (const auto& [id, identity] : identities_) {
       ids_[identity] = id;
       ids_[id] = id;
@@ -70,7 +78,7 @@ class Holder {
 
   RatchetOutcome run() {
     for (const KernelRecord& kernel : record_.kernels) hold_promise(kernel);
-    for (const Cell& cell : cells_of(record_)) {
+    for (const Cell& cell : cells_) {
       for (const std::string& known_by : {cell.identity, cell.kernel})
         shown_.insert(fingerprint(cell.key_of(known_by)));
       if (is_held(cell)) hold(cell);
@@ -113,12 +121,16 @@ class Holder {
     const HeldPromise* then = find_promise(ratchet_.promises, now.kernel, now.precision);
     if (then == nullptr) then = find_promise(ratchet_.promises, id, now.precision);
     if (then == nullptr) return;
-    if (const auto hidden = hidden_since(then->promise, now.promise); !hidden.empty()) {
+    if (const auto hidden = hidden_since(then->shows, now.shows, changed_since(id, now.precision)); !hidden.empty()) {
+      std::vector<std::string> texts;
+      for (const Hidden& one : hidden) {
+        texts.push_back(one.text);
+        hidden_.insert({id, now.precision, one.name});
+      }
       fail_all(now, id,
-               fmt::format("{} shows less than the ratchet: no {} any more ({}:{})", who, fmt::join(hidden, ", "),
-                           ratchet_.name, then->line),
+               fmt::format("{} shows less than the ratchet: {} ({}:{})", who, fmt::join(texts, "; "), ratchet_.name,
+                           then->line),
                lesser_severity);
-      hidden_.emplace(id, now.precision);
     }
     const PromiseChange change = change_of(then->promise, now.promise);
     if (change.is_none() && then->queries == now.queries) return;
@@ -134,6 +146,19 @@ class Holder {
              fmt::format("NOT COMPARED: {} promises other things than the ratchet: {}{}", who,
                          change.is_none() ? "" : change.text() + ": ", where),
              not_checked_severity);
+  }
+
+  // How many verdicts of a kernel differ for sure from the accepted ones.
+  std::uint64_t changed_since(const std::string& id, const std::string& precision) const {
+    std::uint64_t changed = 0;
+    for (const Cell& cell : cells_) {
+      if (cell.kernel != id || cell.precision != precision || cell.place != "verdict" || cell.kind != Cell::Kind::count)
+        continue;
+      const RatchetEntry* const entry = entry_of(cell);
+      const std::uint64_t then = entry == nullptr ? 0 : entry->figure.get<std::uint64_t>(), now = cell.count();
+      changed += std::max(then, now) - std::min(then, now);
+    }
+    return changed;
   }
 
   // One that the ratchet names, and the run did not judge.
@@ -157,23 +182,30 @@ class Holder {
       accept(entry.key, entry.figure, entry.waiver);
     } else if (!is_finding(entry) && !shown_.contains(fingerprint(entry.key))) {
       not_shown_[{kernel, precision}].push_back(&entry);
-      if (!hidden_.contains({ids_.at(kernel), precision})) accept(entry.key, entry.figure, entry.waiver);
+      if (!is_hidden(kernel, precision, place_of(entry))) accept(entry.key, entry.figure, entry.waiver);
+    } else if (is_hidden(kernel, precision, place_of(entry))) {
+      return;  // over fewer answers than what is accepted
     } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
       outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
                                             ratchet_.name, entry.line));
     }
   }
-  static bool is_finding(const RatchetEntry& entry) {
-    return entry.key[3].get_ref<const std::string&>().starts_with("finding.");
+  static std::string place_of(const RatchetEntry& entry) {
+    const std::string name = entry.key[3];
+    return name.substr(0, name.rfind('.'));
+  }
+  static bool is_finding(const RatchetEntry& entry) { return place_of(entry) == "finding"; }
+
+  // Whether a kernel shows nothing of a place any more, or it beside fewer answers: nothing is better there.
+  bool is_hidden(const std::string& kernel, const std::string& precision, const std::string& place) const {
+    return hidden_.contains({ids_.at(kernel), precision, std::string(shown_of_place(place))});
   }
 
   // Ratchets of runs with two plug-ins of one name have the kernel by its id.
-  const RatchetEntry* entry_of(const Cell& cell) {
+  const RatchetEntry* entry_of(const Cell& cell) const {
     for (const std::string& known_by : {cell.identity, cell.kernel}) {
       const auto found = ratchet_.entries.find(fingerprint(cell.key_of(known_by)));
-      if (found == ratchet_.entries.end()) continue;
-      met_.insert(found->first);
-      return &found->second;
+      if (found != ratchet_.entries.end()) return &found->second;
     }
     return nullptr;
   }
@@ -184,6 +216,7 @@ class Holder {
 
   void hold(const Cell& cell) {
     const RatchetEntry* const entry = entry_of(cell);
+    if (entry != nullptr) met_.insert(fingerprint(entry->key));
     const Json key = cell.key(), accepted = entry == nullptr ? Json(0) : entry->figure;
     if (cell.kind != Cell::Kind::finding && apart_.contains({cell.kernel, cell.precision})) {
       accept(key, cell.figure, open_waiver());  // over other queries than what is accepted
@@ -199,6 +232,8 @@ class Holder {
                                                               : cell.figure.get<double>() / accepted.get<double>();
       failures_.push_back({failure_of(key, cell.kernel, text), severity(cell), excess});
       accept(key, cell.figure, open_waiver());
+    } else if (is_less(cell.figure, accepted) && is_hidden(cell.identity, cell.precision, cell.place)) {
+      accept(key, cell.figure, open_waiver());  // over fewer answers than what is accepted
     } else {
       if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);
       accept(key, cell.figure, entry->waiver);
@@ -289,13 +324,15 @@ class Holder {
 
   const Ratchet& ratchet_;
   const Record& record_;
+  std::vector<Cell> cells_;
   Identities identities_;
   std::string today_;
-  std::map<std::string, std::string> ids_;                        // of the record, by identity and by id
-  std::map<std::string, Digests> digests_;                        // by identity
-  std::set<std::pair<std::string, std::string>> judged_;          // ids and precisions
-  std::set<std::pair<std::string, std::string>> apart_, hidden_;  // of these, those that promise other things now
-  std::set<std::pair<std::string, std::string>> told_;            // as keys have them: those that fail as a whole
+  std::map<std::string, std::string> ids_;                // of the record, by identity and by id
+  std::map<std::string, Digests> digests_;                // by identity
+  std::set<std::pair<std::string, std::string>> judged_;  // ids and precisions
+  std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
+  std::set<std::array<std::string, 3>> hidden_;           // and what they show less of
+  std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
   std::set<std::string> met_;
   std::set<std::string> shown_;  // fingerprints of the record's cells, zeros among them
   std::map<std::array<std::string, 2>, Group> not_checked_, not_shown_;

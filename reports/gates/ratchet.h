@@ -13,6 +13,7 @@
 #include "fuzz/record/record.h"
 #include "kernel/predicate.h"
 #include "reports/comparison/promise.h"
+#include "reports/comparison/shown.h"
 #include "reports/run_folder/identity.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -24,10 +25,12 @@ struct RatchetEntry {
   std::size_t line = 0;
 };
 
-// The promise of a kernel in one precision, and the number of the plan's queries on which it makes it.
+// The promise of a kernel in one precision, what it shows beside its verdicts, and the number of the plan's queries on
+// which it makes it.
 struct HeldPromise {
   std::string kernel, precision;  // the kernel as the keys have it
   Promise promise;
+  std::vector<Shown> shows;
   std::uint64_t queries = 0;
   std::size_t line = 0;
 };
@@ -56,9 +59,9 @@ std::string ratchet_text(const Record& record);
 
 // The file of a ratchet:
 //
-//   axiscert-ratchet/4 PLAN [PREDICATE]
+//   axiscert-ratchet/5 PLAN [PREDICATE]
 //   kernel: KERNEL [FILE:SHA256]...
-//   promise: PRECISION queries=NUMBER touching=ANSWER [PART]...
+//   promise: PRECISION queries=NUMBER touching=ANSWER [PART]... [shows=NAME[:ANSWERS],...]
 //   accept: EXPIRY OWNER REASON
 //   kernel: KERNEL
 //   family: PRECISION FAMILY
@@ -68,13 +71,13 @@ std::string ratchet_text(const Record& record);
 // sphere-triangle is not written. Each line that ends its first word with a colon is about all lines below it, up to
 // the next of its kind; `kernel:` also ends the family. KERNEL is the identity of a kernel, with the digests of its
 // files where it has any: they tell of a change and are not required to be the same. `promise:` is what the kernel
-// promises in a precision, in the words of words_of_promise(), and on how many of the plan's queries: every kernel of
-// the run has one for each precision in which it exists, whether or not it is wrong anywhere, and no figure stands
-// without it. `loading:` stands for the family of findings that were made in loading. PLACE and FIGURE are the two
-// parts of the name of a cell of cells_of(), NUMBER is its count, or its depth where it is a maximum; a cell that is
-// not there is accepted at zero. Counts, findings and depths are checked; errors in u are not, since --tolerance makes
-// a count of them. A word that contains spaces or quotes is a JSON string. Empty lines and lines that begin with # are
-// comments.
+// promises in a precision, in the words of words_of_promise(), and on how many of the plan's queries; `shows=` is what
+// it shows beside its verdicts, a number with how many answers it was judged on. Every kernel of the run has one for
+// each precision in which it exists, whether or not it is wrong anywhere, and no figure stands without it. `loading:`
+// stands for the family of findings that were made in loading. PLACE and FIGURE are the two parts of the name of a cell
+// of cells_of(), NUMBER is its count, or its depth where it is a maximum; a cell that is not there is accepted at zero.
+// Counts, findings and depths are checked; errors in u are not, since --tolerance makes a count of them. A word that
+// contains spaces or quotes is a JSON string. Empty lines and lines that begin with # are comments.
 
 // Throws Error that names file, line and word, and says what would be right.
 Ratchet parse_ratchet(std::string_view text, const std::string& name);

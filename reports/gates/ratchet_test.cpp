@@ -227,9 +227,9 @@ TEST(Ratchet, BadLinesAreNamed) {
   const auto with = [&](const std::string& old, const std::string& now) { return error_of(replaced(good, old, now)); };
   EXPECT_THAT(error_of(""), HasSubstr("r.txt: empty"));
   EXPECT_THAT(error_of("{}\n"), HasSubstr("r.txt:1: begins with '{}'"));
-  for (const char* other : {"ratchet/1", "ratchet/3", "ratchet/5"})
-    EXPECT_THAT(with("ratchet/4", other),
-                HasSubstr(fmt::format("r.txt:1: 'axiscert-{}' is of another version than 'axiscert-ratchet/4', which "
+  for (const char* other : {"ratchet/1", "ratchet/4", "ratchet/6"})
+    EXPECT_THAT(with("ratchet/5", other),
+                HasSubstr(fmt::format("r.txt:1: 'axiscert-{}' is of another version than 'axiscert-ratchet/5', which "
                                       "this axiscert reads; run without --ratchet, and review the ratchet.txt",
                                       other)));
   EXPECT_THAT(error_of(ratchet_text(stored_record())), HasSubstr("r.txt:7: EXPIRY 'EXPIRY' is neither a day"));
@@ -300,10 +300,16 @@ TEST(RatchetOfContacts, OneLateTimeMoreFailsAndOneLessIsBetter) {
   EXPECT_THAT(better.better, ElementsAre(HasSubstr("time.late: 4 of 900, accepted is 5")));
 }
 
-TEST(RatchetOfContacts, TimesThatAreNotShownAnyMoreAreNotCheckedAndStayAccepted) {
+TEST(RatchetOfContacts, TimesThatAreNotShownAnyMoreAreLess) {
   Json silent = contacts(5, 0.25, 0);
   silent["time"] = nullptr;
-  const RatchetOutcome outcome = held(silent);
+  const RatchetOutcome less = held(silent);
+  ASSERT_EQ(less.failures.size(), 1u);
+  EXPECT_THAT(less.failures[0].text, HasSubstr("shows less than the ratchet: time beside 900 answers, 1,800 before"));
+  EXPECT_THAT(less.better, IsEmpty());
+
+  const std::string unsaid = replaced(accepted_motions(), " shows=time:1800", "");  // edited
+  const RatchetOutcome outcome = hold_against(parse_ratchet(unsaid, "r.txt"), motions(silent), day);
   ASSERT_EQ(outcome.failures.size(), 1u);
   EXPECT_THAT(outcome.failures[0].text,
               HasSubstr("NOT CHECKED: this run does not show what the ratchet has: 3 figures of"));
@@ -321,11 +327,11 @@ TEST(RatchetOfContacts, ATunnelThatIsDeeperFails) {
 }
 
 TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
-  const std::string motions = "axiscert-ratchet/4 p moving-sphere\n",
+  const std::string motions = "axiscert-ratchet/5 p moving-sphere\n",
                     lines =
                         "kernel: k\npromise: binary32 queries=9 touching=contact\n"
                         "accept: never mk why\nfamily: binary32 f\n";
-  EXPECT_THAT(refused_with("axiscert-ratchet/4 p\n" + lines + "time late=5\n"),
+  EXPECT_THAT(refused_with("axiscert-ratchet/5 p\n" + lines + "time late=5\n"),
               HasSubstr("'time' is no place of a figure"));
   EXPECT_THAT(refused_with(motions + lines + "time tardy=5\n"),
               HasSubstr("late, early, none, invalid, through, deepest_tunnel"));

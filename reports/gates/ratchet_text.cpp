@@ -21,8 +21,8 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view ratchet_schema = "axiscert-ratchet/4", any_ratchet = "axiscert-ratchet/";
-constexpr std::string_view queries_word = "queries=";
+constexpr std::string_view ratchet_schema = "axiscert-ratchet/5", any_ratchet = "axiscert-ratchet/";
+constexpr std::string_view queries_word = "queries=", shows_word = "shows=";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
 std::string word(const std::string& text) {
@@ -132,14 +132,15 @@ class Lines {
       line.fail(fmt::format("{} {} has two promises, the first in line {}", *kernel_, words[1], other->line));
     const Json queries = Json::parse(words[2].substr(queries_word.size()), nullptr, false);
     if (!queries.is_number_unsigned()) line.fail(fmt::format("'{}' is not queries=NUMBER", words[2]));
+    const bool has_shown = words.size() > 3 && words.back().starts_with(shows_word);
+    const std::vector<Shown> shows = has_shown ? shown_in(words.back(), line) : std::vector<Shown>();
     Promise promise;
     try {
-      promise = promise_of_words(std::span(words).subspan(3));
+      promise = promise_of_words(std::span(words).subspan(3, words.size() - 3 - (has_shown ? 1 : 0)));
     } catch (const Error& wrong) {
       line.fail(wrong.what());
     }
-    require_shown(promise.shows, line);
-    ratchet_.promises.push_back({*kernel_, words[1], promise, queries.get<std::uint64_t>(), line.number});
+    ratchet_.promises.push_back({*kernel_, words[1], promise, shows, queries.get<std::uint64_t>(), line.number});
   }
 
   void add_kernel(const std::vector<std::string>& words, const Line& line) {
@@ -190,14 +191,29 @@ class Lines {
     return found == all.end() ? nullptr : *found;
   }
 
-  void require_shown(const std::vector<std::string>& names, const Line& line) const {
+  // "shows=comparisons,separation:1200".
+  std::vector<Shown> shown_in(const std::string& word, const Line& line) const {
     const Predicate* const predicate = known_predicate();
-    if (predicate == nullptr) return;
-    const std::vector<std::string> known = shown_names(*predicate);
-    for (const std::string& name : names) {
-      if (std::ranges::find(known, name) == known.end())
-        line.fail(fmt::format("shows= has '{}', which is none of: {}", name, fmt::join(known, ", ")));
+    const std::vector<std::string> known = predicate == nullptr ? std::vector<std::string>() : shown_names(*predicate);
+    std::vector<Shown> all;
+    for (std::size_t at = shows_word.size(); at <= word.size();) {
+      const std::size_t end = std::min(word.find(',', at), word.size()), colon = std::min(word.find(':', at), end);
+      Shown one{word.substr(at, colon - at)};
+      if (predicate != nullptr && std::ranges::find(known, one.name) == known.end())
+        line.fail(fmt::format("shows= has '{}', which is none of: {}", one.name, fmt::join(known, ", ")));
+      if (std::ranges::find(all, one.name, &Shown::name) != all.end())
+        line.fail(fmt::format("shows= has '{}' twice", one.name));
+      const Json answers =
+          Json::parse(word.substr(std::min(colon + 1, end), end - std::min(colon + 1, end)), nullptr, false);
+      if ((colon != end) != is_shown_number(one.name) || (colon != end && !answers.is_number_unsigned())) {
+        line.fail(fmt::format("shows= has '{}', and comparisons and sides stand alone, each number as NAME:ANSWERS",
+                              word.substr(at, end - at)));
+      }
+      if (colon != end) one.answers = answers.get<std::uint64_t>();
+      all.push_back(one);
+      at = end + 1;
     }
+    return all;
   }
 
   void check_place(const std::string& place, const Line& line) const {
@@ -307,8 +323,11 @@ std::string ratchet_file(const std::string& plan, const Predicate& predicate, co
   std::string kernel;
   for (const HeldPromise& held : promises) {
     if (held.kernel != kernel) text += kernel_line(kernel = held.kernel) + "\n";
-    text += fmt::format("promise: {} {}{} {}\n", held.precision, queries_word, held.queries,
-                        fmt::join(words_of_promise(held.promise), " "));
+    std::vector<std::string> words = words_of_promise(held.promise), shows;
+    for (const auto& [name, answers] : held.shows)
+      shows.push_back(answers ? fmt::format("{}:{}", name, *answers) : name);
+    if (!shows.empty()) words.push_back(fmt::format("{}{}", shows_word, fmt::join(shows, ",")));
+    text += fmt::format("promise: {} {}{} {}\n", held.precision, queries_word, held.queries, fmt::join(words, " "));
   }
 
   std::vector<Waiver> waivers;

@@ -9,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/names.h"
+#include "reports/gates/enough.h"
 #include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -62,135 +63,6 @@ std::vector<Failure> failures_anywhere(const Record& record, const Subject& subj
   return failures;
 }
 
-// A file has the queries that it has; any other family is asked as many as the plan says.
-bool is_file(const std::string& family) { return family.starts_with("queries/") || family == "corpus"; }
-
-// Why a kernel entry shows nothing, or not all that was asked for; empty where it does.
-std::string gap_of(const Record& record, const Subject& subject, const AskedLevel& asked) {
-  const Precision precision = subject.kernel().precision;
-  if (!record.complete) return interrupted_text(record);
-  if (subject.families().empty()) return fmt::format("no query of it was run in {}", name(precision));
-  if (const Evidence all = evidence_of(subject.kernel()); all.decided() == 0) {
-    if (all.population == 0) return fmt::format("none of its queries is valid in {}", name(precision));
-    return all.promised() == 0 && all.outside != 0 ? "every valid query is outside the limits that it declares"
-                                                   : "it called no valid query within its limits separated or contact";
-  }
-  std::vector<std::string> empty;
-  for (const auto& [family, by_precision] : record.plan.trials) {
-    if (!asked.is_about(family)) continue;
-    const auto* const planned = record.plan.planned ? record.plan.planned->find(family) : nullptr;
-    if (planned != nullptr && planned->contains(precision)) {
-      return fmt::format("the time limit left {} of the {} queries of {} unasked",
-                         thousands(planned->at(precision) - by_precision.at(precision)),
-                         thousands(planned->at(precision)), family);
-    }
-    std::uint64_t queries = 0;
-    for (const auto& [each, count] : by_precision) queries += count;
-    const auto here = by_precision.find(precision);
-    const bool is_reached = is_file(family) || here == by_precision.end() || here->second != 0;
-    if (queries == 0 || !is_reached) empty.push_back(family);
-  }
-  return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
-}
-
-// A sentence about the first of some families, and how many more there are.
-class Shortfall {
- public:
-  void add(std::string what) {
-    if (count_++ == 0) first_ = std::move(what);
-  }
-  bool any() const { return count_ != 0; }
-  std::string text() const {
-    return count_ < 2 ? first_
-                      : fmt::format("{}, and so {} more", first_,
-                                    count_ == 2 ? "one family" : fmt::format("{} families", count_ - 1));
-  }
-
- private:
-  std::string first_;
-  std::size_t count_ = 0;
-};
-
-// How much of each family was looked at. Fills in what the outcome says of it; returns why that is too little, or is
-// empty.
-std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome) {
-  Shortfall unasked, few, declining;
-  for (const auto& [family, look] : found.families) {
-    const Evidence evidence = subject.evidence(subject.families().at(family));
-    if (evidence.population == 0) {
-      unasked.add(fmt::format("no valid query of {} was asked", family));
-      continue;
-    }
-    outcome.evidence.add(evidence);
-    outcome.looked_at += look.looked_at;
-    ++outcome.families;
-    if (evidence.promised() == 0) {
-      outcome.outside.push_back(family);
-      continue;
-    }
-    const bool is_sample_too_small = !is_file(family) && evidence.population < least_looked_at;
-    if (is_sample_too_small || look.looked_at < std::min(least_looked_at, look.concerned)) {
-      few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % {}",
-                          thousands(look.looked_at), thousands(look.concerned),
-                          look.concerned == 1 ? "query" : "queries", family, least_looked_at,
-                          level_of(outcome.asked).breaking));
-    }
-    if (!subject.kernel().may_decline) continue;
-    const auto check = [&](std::uint64_t declined, std::uint64_t of, const char* what) {
-      if (declines_too_many(declined, of, share)) {
-        declining.add(fmt::format("it declines {} of {} {} of {}, and has to decide {} of them", thousands(declined),
-                                  thousands(of), what, family, share));
-      }
-    };
-    check(evidence.declined_contacts, evidence.contacts, "contacts");
-    check(evidence.declined_separations, evidence.separations, "separations");
-    check(look.declined, look.concerned, "pairs of a query and its image");
-  }
-  outcome.has_limits = has_limits(subject.kernel()) || !outcome.outside.empty();
-  if (outcome.families != 0 && outcome.outside.size() == outcome.families)
-    return "every valid query is outside the limits that it declares";
-  if (unasked.any()) return unasked.text();
-  if (declining.any()) return declining.text();
-  if (few.any()) return few.text();
-  const Evidence& all = outcome.evidence;
-  const auto of_kind = [](std::uint64_t promised, std::uint64_t declined, std::uint64_t population,
-                          const char* what) -> std::string {
-    const std::uint64_t decided = promised - declined;
-    const std::uint64_t needed = std::min(least_of_each_kind, population);
-    if (decided >= needed) return "";
-    return fmt::format("{} of {} exact {} were decided, and {} are needed", thousands(decided), thousands(population),
-                       what, needed);
-  };
-  std::uint64_t contacts = 0, separations = 0;
-  for (const auto& [family, look] : found.families) {
-    const TruthCounts& truth = subject.families().at(family).truth;
-    contacts += truth.contact - (all.touching == 0 ? 0 : truth.touching);
-    separations += truth.separated;
-  }
-  const std::string missing = of_kind(all.contacts, all.declined_contacts, contacts, "contacts");
-  return missing.empty() ? of_kind(all.separations, all.declined_separations, separations, "separations") : missing;
-}
-
-// "the fewest of a family, 64 independent queries of tangent, show with 95 % that fewer than 4.57 % are wrong"; queries
-// that share a triangle count once. Nothing of a level with a yardstick, which is met by as many wrong ones as another
-// kernel has.
-std::string fewest_text(const Subject& subject, const LevelFindings& found, const AskedLevel& asked) {
-  const GateLevel& level = level_of(asked);
-  if (level.yardstick != nullptr) return "";
-  std::string family;
-  std::uint64_t fewest = 0;
-  for (const auto& [name, look] : found.families) {
-    const std::uint64_t independent = std::min(look.looked_at, subject.families().at(name).base_triangles);
-    if (look.looked_at == 0 || (!family.empty() && independent >= fewest)) continue;
-    family = name;
-    fewest = independent;
-  }
-  if (family.empty()) return "";
-  return fmt::format(
-      "; the fewest of a family, {} independent queries of {}, show with 95 % that fewer than {:.3g} % {}",
-      thousands(fewest), family, upper_bound_percent(fewest), level.breaking);
-}
-
 // How many queries were asked in another order too: a finding of what that shows fails every level.
 std::string asked_again_text(const Subject& subject) {
   std::uint64_t again = 0;
@@ -235,6 +107,9 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   if (!outcome.outside.empty())
     leave_out(outcome.leaves_out, fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
   if (outcome.evidence.declined() != 0) leave_out(outcome.leaves_out, "what it declined");
+  for (const UntakenLines& lines : lines_it_cannot_take(record, kernel.id)) {
+    if (asked.is_about(lines.family)) leave_out(outcome.leaves_out, lines.text());
+  }
   if (outcome.leaves_out.empty()) outcome.leaves_out = "nothing";
   return outcome;
 }
@@ -313,7 +188,13 @@ std::string LevelOutcome::claim() const {
   return fmt::format("{} within its limits: {} of {} families", asked.text, families - outside.size(), families);
 }
 
-std::string LevelOutcome::looked_text() const { return families == 0 ? "" : evidence_text(evidence, looked_at); }
+std::string LevelOutcome::looked_text() const {
+  if (families == 0) return "";
+  const char* const others = level_of(asked).looks_at;
+  if (others != nullptr)
+    return fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others);
+  return evidence_text(evidence, looked_at);
+}
 
 std::string LevelOutcome::text() const {
   const std::string who = precision.empty() ? kernel : fmt::format("{} {}", kernel, precision);

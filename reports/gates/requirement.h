@@ -28,6 +28,7 @@ struct LevelOutcome {
   std::vector<std::string> unseen = {};      // families on which this kernel cannot be seen to fail it
   Evidence evidence = {};                    // of the families that the level requires
   std::uint64_t looked_at = 0;               // queries, or pairs of them, of these families that it judged
+  std::uint64_t concerned = 0;               // those that it is about
   std::size_t families = 0;                  // that it requires, and that have a valid query
   std::vector<std::string> outside = {};     // of these, those without a query that the kernel promises
   bool has_limits = false;                   // the kernel promises less than everything
@@ -57,6 +58,7 @@ struct LevelOutcome {
       AXISCERT_FIELD(failures, "Where it is not met."), journalled(&Of::unseen),
       AXISCERT_FIELD(evidence, Evidence::about),
       AXISCERT_FIELD(looked_at, "Queries that the level judged; for some families pairs of a query and its image."),
+      AXISCERT_FIELD(concerned, "Those that it is about."),
       AXISCERT_FIELD(families, "Families that the level requires and that have a valid query."),
       field(&Of::outside, {"outside_limits", "Of these, those without a query that the kernel promises.", "families"}),
       journalled(&Of::has_limits))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reports/gates/enough.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 
@@ -66,6 +67,8 @@ std::vector<std::string> unjudged(const Record& record) {
       sentences.push_back(fmt::format("{}: NOT JUDGED on {}: no valid query in a precision in which it exists", id,
                                       fmt::join(empty, ", ")));
     }
+    for (const UntakenLines& lines : lines_it_cannot_take(record, id))
+      sentences.push_back(fmt::format("{}: NOT JUDGED on {}", id, lines.text()));
     for (const KernelRecord& kernel : record.kernels) {
       if (kernel.id != id) continue;
       std::vector<std::string> here = without_valid(kernel);

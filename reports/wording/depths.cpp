@@ -112,32 +112,34 @@ const std::vector<std::string>& contact_columns(bool moves) {
 
 namespace {
 
+// What was judged on no answer has no figure.
+bool is_judged(const auto& part) { return part && part->judged != 0; }
+
 std::vector<std::string> body_cells(const ContactTally& contacts) {
   constexpr const char* none = "-";
-  // What was judged on no answer has no figure.
-  const auto given = [](const auto& part) { return part && part->judged != 0; };
   std::vector<std::string> cells = {thousands(contacts.answers)};
   const auto& separation = contacts.separation;
-  const bool has_separation = given(separation);
+  const bool has_separation = is_judged(separation);
   cells.push_back(has_separation ? amount(separation->largest_error.best(), 3) : none);
   cells.push_back(has_separation ? error_amount(separation->largest_ulps.best()) : none);
   const auto& consistency = contacts.consistency;
   cells.push_back(consistency ? thousands(consistency->positive + consistency->negative + consistency->missing) : none);
-  cells.push_back(given(contacts.feature) ? thousands(contacts.feature->wrong) : none);
-  const bool has_pushes = given(contacts.pushed), has_sides = has_pushes && contacts.pushed->with_a_side() != 0;
+  cells.push_back(is_judged(contacts.feature) ? thousands(contacts.feature->wrong) : none);
+  const bool has_pushes = is_judged(contacts.pushed), has_sides = has_pushes && contacts.pushed->with_a_side() != 0;
   cells.push_back(has_sides ? thousands(contacts.pushed->flips) : none);
   cells.push_back(has_pushes ? error_amount(contacts.pushed->largest_left.best()) : none);
-  cells.push_back(contacts.normal ? amount(contacts.normal->largest_angle.best(), 3) : none);
-  cells.push_back(contacts.normal ? amount(contacts.normal->largest_length_error.best(), 3) : none);
+  cells.push_back(is_judged(contacts.normal) ? amount(contacts.normal->largest_angle.best(), 3) : none);
+  const bool has_lengths = contacts.normal && contacts.normal->lengths != 0;
+  cells.push_back(has_lengths ? amount(contacts.normal->largest_length_error.best(), 3) : none);
   double largest = 0;
   bool is_given = false;
   for (const auto* points : {&contacts.point, &contacts.point_a, &contacts.point_b}) {
-    if (!given(*points)) continue;
+    if (!is_judged(*points)) continue;
     is_given = true;
     largest = std::max(largest, (*points)->largest_error.best());
   }
   cells.push_back(is_given ? amount(largest, 3) : none);
-  cells.push_back(given(contacts.points) ? amount(contacts.points->largest_error.best(), 3) : none);
+  cells.push_back(is_judged(contacts.points) ? amount(contacts.points->largest_error.best(), 3) : none);
   return cells;
 }
 
@@ -162,9 +164,9 @@ std::vector<std::string> contact_cells(const FamilyRecord& family) {
     put_side(time.early, time.early_errors);
     cells.push_back(thousands(time.none + time.invalid));
   }
-  cells.push_back(motion.feature ? thousands(motion.feature->wrong) : "-");
-  cells.push_back(motion.normal ? amount(motion.normal->largest_angle.best(), 3) : "-");
-  cells.push_back(motion.point ? amount(motion.point->largest_error.best(), 3) : "-");
+  cells.push_back(is_judged(motion.feature) ? thousands(motion.feature->wrong) : "-");
+  cells.push_back(is_judged(motion.normal) ? amount(motion.normal->largest_angle.best(), 3) : "-");
+  cells.push_back(is_judged(motion.point) ? amount(motion.point->largest_error.best(), 3) : "-");
   cells.push_back(thousands(motion.missed->through));
   cells.push_back(error_amount(motion.missed->deepest.best()));
   return cells;

@@ -57,5 +57,17 @@ TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
   EXPECT_TRUE(contact_cells(FamilyRecord()).empty()) << "a predicate without measures";
 }
 
+TEST(BodyWords, WhatWasJudgedOnNoAnswerHasNoFigure) {
+  FamilyRecord family;
+  ContactTally& bodies = family.contacts.emplace();
+  bodies.missed.reset();
+  bodies.answers = 900;
+  const std::size_t angle = 7, length = 8;
+  EXPECT_EQ(contact_cells(family).size(), contact_columns(false).size());
+  EXPECT_THAT(contact_cells(family)[angle] + contact_cells(family)[length], "--");
+  bodies.normal->lengths = 3;
+  EXPECT_THAT(contact_cells(family)[angle] + contact_cells(family)[length], "-0");
+}
+
 }  // namespace
 }  // namespace axiscert

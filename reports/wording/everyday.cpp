@@ -54,8 +54,14 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
   if (result.wrong_features != 0)
     text +=
         fmt::format("; {} feature{} wrong", thousands(result.wrong_features), result.wrong_features == 1 ? "" : "s");
-  if (result.has_separations)
-    text += fmt::format("; separations off by {} at most", length_in(group, result.farthest_separation, unit));
+  if (result.separations != 0) {
+    const std::string seldom = result.separations >= result.without_separation
+                                   ? ""
+                                   : fmt::format(", given beside {} of {} answers,", thousands(result.separations),
+                                                 thousands(result.separations + result.without_separation));
+    text +=
+        fmt::format("; separations{} off by {} at most", seldom, length_in(group, result.farthest_separation, unit));
+  }
   if (result.contradictions != 0)
     text += fmt::format("; {} separation{} of the wrong sign", thousands(result.contradictions),
                         result.contradictions == 1 ? "" : "s");
@@ -137,8 +143,9 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       out.largest_normal_angle = std::max(out.largest_normal_angle, normal->largest_angle.best());
     if (const auto& point = result.contacts->point)
       out.largest_point_error = std::max(out.largest_point_error, point->largest_error.best());
-    if (const auto& separation = result.contacts->separation; separation && separation->judged != 0) {
-      out.has_separations = true;
+    if (const auto& separation = result.contacts->separation) {
+      out.separations += separation->judged;
+      out.without_separation += result.contacts->answers - std::min(result.contacts->answers, separation->judged);
       out.farthest_separation = std::max(out.farthest_separation, separation->worst_length());
     }
     if (const auto& numbers = result.contacts->consistency) out.contradictions += numbers->positive + numbers->negative;

@@ -103,6 +103,11 @@ TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
   ContactTally& numbers = family.contacts.emplace();
   numbers.time.reset();
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
+  numbers.answers = 1000;
+  numbers.separation->judged = numbers.pushed->judged = 12;
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; separations, given beside 12 of 1,000 answers, off by 0 m at "
+            "most; no flip");
   numbers.separation->judged = numbers.pushed->judged = 900;
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most; no flip");
   numbers.separation->largest_length.offer({0.0032, 0});

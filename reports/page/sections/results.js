@@ -108,9 +108,15 @@ function contact_tables(data, rows) {
 
 const not_given = {none: 'not given'};
 
-// The cell of one figure of a part of what is said.
+// One figure of a part of what is said; null where the part is not given, or the figure was judged on no answer.
+function figure_of(contacts, part, member) {
+  const told = contacts[part];
+  if (!told) return null;
+  const judged = member === 'largest_length_error' ? told.lengths : member === 'flips' ? told.judged - told.nowhere : told.judged;
+  return judged === 0 && member !== 'judged' ? null : told[member];
+}
 function of_part(part, member, type, label, more) {
-  return column[type](label, (row) => row.result.contacts[part] && row.result.contacts[part][member], {...not_given, ...more});
+  return column[type](label, (row) => figure_of(row.result.contacts, part, member), {...not_given, ...more});
 }
 
 // A size that may be beyond binary64.
@@ -121,7 +127,7 @@ function size_column(label, get, more) {
 
 // How far two bodies are apart or in each other.
 function body_tables(data, told) {
-  const size = (part, member, label, more) => size_column(label, (row) => row.result.contacts[part] && row.result.contacts[part][member], more);
+  const size = (part, member, label, more) => size_column(label, (row) => figure_of(row.result.contacts, part, member), more);
   const points = ['point', 'point_a', 'point_b', 'points'].filter((part) => told.some((row) => row.result.contacts[part]));
   const labels = {point: 'point off by', point_a: 'first point off by', point_b: 'second point off by', points: 'points and separation'};
   return el('div', 'contacts', el('h3', '', 'Contacts'), el('p', 'lead', data.contact_note), table('Separations', [
