@@ -60,12 +60,31 @@ class Numbers(Case):
 
     CHANGES = {"separation": "*separation += 0.001F", "normal": "normal[0] += 0.01F", "feature": "*feature = 6"}
 
-    def test_compare_and_a_ratchet_tell_a_number_that_got_worse(self):
-        before = self.asked(built(self.folder, "mine"))
+    def accepted(self, *change):
+        """The ratchet that accepts the plug-in with a change; its run is in before/."""
+        before = self.asked(built(self.folder, "mine", *change))
         self.assertEqual(before.returncode, 0, before.stderr)
         (self.folder / "out").rename(self.folder / "before")
         accepted = self.folder / "accepted.txt"
         accepted.write_text((self.folder / "before/ratchet.txt").read_text().replace("EXPIRY OWNER REASON", "never geometry \"as it was\""))
+        return accepted
+
+    def test_numbers_beside_fewer_answers_are_no_better(self):
+        """A separation that is off wherever the two are apart is not mended by giving none there."""
+        accepted = self.accepted("if (d > r) *separation += 0.01F")
+        silent = "if (d > r) *separation = *feature = normal[0] = normal[1] = normal[2] = point[0] = point[1] = point[2] = NAN"
+        held = self.asked(built(self.folder, "mine", silent), "--ratchet", accepted)
+        self.assertEqual(held.returncode, 1, held.stdout + held.stderr)
+        self.assertRegex(held.stderr, r"shows less than the ratchet: separation beside [0-9,]+ answers, 1,500 before; feature beside ")
+        self.assertNotIn("better: ", held.stdout + held.stderr)
+        compared = axiscert("compare", self.folder / "before", self.folder / "out")
+        self.assertEqual(compared.returncode, 1, compared.stdout + compared.stderr)
+        self.assertIn("NOT COMPARED: plugin:", compared.stdout)
+        self.assertIn("separation beside ", compared.stdout)
+        self.assertNotIn("better", compared.stdout.splitlines()[0])
+
+    def test_compare_and_a_ratchet_tell_a_number_that_got_worse(self):
+        accepted = self.accepted()
         again = self.asked(built(self.folder, "mine"), "--ratchet", accepted)
         self.assertEqual(again.returncode, 0, again.stderr)
         for place, change in self.CHANGES.items():
