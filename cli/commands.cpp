@@ -15,6 +15,7 @@
 #include "cli/usage.h"
 #include "exact/judge/judge.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/supervisor.h"
 #include "reports/formats/schemas.h"

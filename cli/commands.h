@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 
 namespace axiscert {
 

@@ -9,6 +9,7 @@
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json.h"
 #include "kernel/kernel.h"
 #include "kernel/predicate.h"
 #include "kernel/registry/called.h"

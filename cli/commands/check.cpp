@@ -6,6 +6,7 @@
 #include <map>
 
 #include "exact/numbers/in_doubles.h"
+#include "fuzz/fields/json_form.h"
 #include "plans/first_look.h"
 #include "cli/running/check_output.h"
 #include "cli/running/query_rows.h"

@@ -9,6 +9,7 @@
 #include "cli/glossary.h"
 #include "cli/usage.h"
 #include "cli/words.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/base/names.h"
 #include "reports/formats/schemas.h"

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "fuzz/fields/json_form.h"
 #include "plans/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "fuzz/confirm/record.h"

@@ -8,6 +8,7 @@
 #include "cli/ending.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
+#include "fuzz/fields/json_form.h"
 #include "plans/predicate_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/help.h"

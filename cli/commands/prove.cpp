@@ -11,6 +11,7 @@
 #include "cli/help.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/shared_options.h"
+#include "fuzz/fields/json_form.h"
 #include "proofs/bounds.h"
 #include "proofs/checkers.h"
 #include "proofs/emit/emit.h"

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "fuzz/fields/json_form.h"
 #include "plans/first_look.h"
 #include "plans/address_query.h"
 #include "plans/predicate_options.h"

@@ -13,6 +13,7 @@
 #include "cli/usage.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/sweep.h"
+#include "plans/output_folder.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

@@ -3,6 +3,7 @@
 // input is also read unchanged.
 #include <fmt/format.h>
 
+#include "fuzz/text/json.h"
 #include "plans/plan_file.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"

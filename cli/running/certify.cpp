@@ -12,6 +12,7 @@
 #include "cli/running/planned_run.h"
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
 #include "kernel/registry/self_check.h"

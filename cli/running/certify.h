@@ -10,6 +10,7 @@
 #include "cli/options/reply_plan.h"
 #include "cli/running/run_output.h"
 #include "fuzz/certify/effort.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/search/search.h"
 #include "reports/certificate/statement/certificate_data.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "fuzz/text/json.h"
 #include "plans/search_plan.h"
 #include "plans/predicate_options.h"
 #include "cli/ending.h"

@@ -8,6 +8,7 @@
 
 #include "fuzz/confirm/witness.h"
 #include "fuzz/files/query_object.h"
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

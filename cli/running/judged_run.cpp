@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "fuzz/fields/json_form.h"
 #include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/ending.h"

@@ -5,6 +5,7 @@
 #include "cli/running/check_output.h"
 #include "fuzz/confirm/witness.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/text/number_text.h"

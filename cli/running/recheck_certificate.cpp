@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "fuzz/fields/json_form.h"
 #include "plans/plan_file.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"

@@ -8,6 +8,7 @@
 
 #include "cli/commands.h"
 #include "cli/ending.h"
+#include "fuzz/text/json.h"
 #include "plans/plan_file.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "fuzz/text/json.h"
 #include "plans/search_plan.h"
 #include "cli/running/certify.h"
 #include "kernel/base/error.h"

@@ -9,6 +9,7 @@
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/fields/merge.h"
 #include "kernel/moving_sphere/names.h"
 

@@ -9,6 +9,7 @@
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/nearest_kernel.h"
 #include "fuzz/confirm/witness.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/fields/merge.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"

@@ -6,6 +6,7 @@
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace {

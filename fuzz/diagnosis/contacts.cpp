@@ -11,6 +11,7 @@
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/capabilities.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build

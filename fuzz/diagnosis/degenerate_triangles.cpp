@@ -4,6 +4,7 @@
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/diagnosis/scenes_by_trait.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 
 namespace axiscert::diagnosis {

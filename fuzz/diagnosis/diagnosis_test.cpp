@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "fuzz/diagnosis/kernel_table_testing.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "kernel/ask.h"

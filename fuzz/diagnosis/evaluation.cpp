@@ -11,6 +11,7 @@
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/image_groups.h"
+#include "fuzz/text/json.h"
 #include "kernel/permitted/recording.h"
 
 namespace axiscert::diagnosis {

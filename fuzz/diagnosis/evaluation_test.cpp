@@ -6,6 +6,7 @@
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/made_kernels_testing.h"
 #include "fuzz/diagnosis/probes.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/environment.h"
 
 namespace axiscert {

@@ -4,6 +4,7 @@
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/image_groups.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace {

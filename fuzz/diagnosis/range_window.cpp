@@ -6,6 +6,7 @@
 
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/probes.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 namespace diagnosis {

@@ -8,6 +8,7 @@
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/queries/capabilities.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace {

@@ -11,6 +11,7 @@
 #include "fuzz/diagnosis/made_kernels_testing.h"
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/scenes_by_trait.h"
+#include "fuzz/text/json.h"
 #include "kernel/names.h"
 
 namespace axiscert::made {

@@ -18,7 +18,8 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/fields/sparse.h"
+#include "fuzz/fields/values.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/enums.h"
@@ -26,11 +27,6 @@
 #include "kernel/base/text.h"
 
 namespace axiscert {
-
-// What a type is in JSON: static Json write(const T&); void read(JsonPlace, T&), which refuses all but what write()
-// gives; static Json schema(). Json itself is not asked for more levels than parsed_json() allows.
-template <class T>
-struct JsonForm;
 
 template <class T>
 Json json_of(const T& value) {
@@ -135,9 +131,6 @@ struct JsonForm<double> {
   static Json schema() { return {{"type", "number"}, {"minimum", 0}}; }
 };
 
-struct SignedNumber {
-  double value = 0;
-};
 template <>
 struct JsonForm<SignedNumber> {
   static Json write(SignedNumber number) { return number.value; }
@@ -148,10 +141,6 @@ struct JsonForm<SignedNumber> {
   static Json schema() { return type_schema("number"); }
 };
 
-// A whole number of 64 bits that counts nothing.
-struct WholeNumber {
-  std::uint64_t value = 0;
-};
 template <>
 struct JsonForm<WholeNumber> {
   static Json write(WholeNumber number) { return number.value; }
@@ -163,11 +152,6 @@ struct JsonForm<WholeNumber> {
   static Json schema() { return {{"type", "integer"}, {"minimum", 0}}; }
 };
 
-// An error of more digits than a Decimal6, or less than binary64 has with six: a number, or its text beyond binary64.
-struct ErrorNumber {
-  double value = 0;
-  std::string text = {};  // not empty: beyond binary64
-};
 template <>
 struct JsonForm<ErrorNumber> {
   static Json write(const ErrorNumber& error) { return error.text.empty() ? Json(error.value) : Json(error.text); }
@@ -185,18 +169,6 @@ struct JsonForm<Decimal6> {
   static void read(const JsonPlace& place, Decimal6& into);
   static Json schema() { return json_schema_of<ErrorNumber>(); }
 };
-
-// Text of a form: `Rule` has `longest`, and may have `pattern`, a regular expression, and `may_be_empty`.
-template <class Rule>
-struct Text : std::string {
-  using std::string::string;
-  Text(std::string text) : std::string(std::move(text)) {}
-  Text(std::string_view text) : std::string(text) {}
-};
-struct NameRule {
-  static constexpr std::size_t longest = 4096;
-};
-using Name = Text<NameRule>;  // not empty
 
 void check_text(const JsonPlace& place, std::size_t longest, bool may_be_empty, const std::regex* pattern,
                 std::string_view pattern_text);
@@ -228,11 +200,6 @@ struct JsonForm<std::string> {
   static Json schema() { return type_schema("string"); }
 };
 
-// Text of our own that has more than one line: it is read as it is.
-struct WholeText : std::string {
-  using std::string::string;
-  using std::string::operator=;
-};
 template <>
 struct JsonForm<WholeText> {
   static Json write(const WholeText& value) { return static_cast<const std::string&>(value); }
@@ -241,6 +208,16 @@ struct JsonForm<WholeText> {
     into = place.value().get_ref<const std::string&>();
   }
   static Json schema() { return type_schema("string"); }
+};
+
+template <>
+struct JsonForm<QueryLine> {
+  static Json write(const QueryLine& line) { return Json::parse(static_cast<const std::string&>(line)); }
+  static void read(const JsonPlace& place, QueryLine& into) {
+    place.require_type(place.value().is_object(), "object");
+    into = place.value().dump();
+  }
+  static Json schema() { return {{"description", "A line of a query file."}, {"type", "object"}}; }
 };
 
 // Any JSON.
@@ -388,9 +365,46 @@ struct JsonForm<EnumArray<Enum, T>> {
   }
 };
 
-// The name and version of the format of a file, as its struct says it.
-template <class File>
-struct FormatName {};
+template <class Rule>
+struct JsonForm<SparseCounts<Rule>> {
+  static Json write(const SparseCounts<Rule>& counts) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < Rule::size; ++i) {
+      if (counts[i] != 0) json[Rule::name(i)] = counts[i];
+    }
+    return json;
+  }
+  static void read(const JsonPlace& place, SparseCounts<Rule>& into) {
+    place.require_type(place.value().is_object(), "object");
+    into = {};
+    for (const auto& [member, value] : place.value().items()) {
+      std::size_t i = 0;
+      while (i < Rule::size && Rule::name(i) != member) ++i;
+      if (i == Rule::size) place.at(member).refuse("under a name that is not in the schema");
+      read_json(place.at(member), into[i]);
+    }
+  }
+  static Json schema() {
+    Json names = Json::array();
+    for (std::size_t i = 0; i < Rule::size; ++i) names.push_back(Rule::name(i));
+    return {{"description", Rule::about},
+            {"type", "object"},
+            {"propertyNames", {{"enum", std::move(names)}}},
+            {"additionalProperties", json_schema_of<std::uint64_t>()}};
+  }
+};
+
+template <WrittenAs T>
+struct JsonForm<T> {
+  static Json write(const T& value) { return json_of(value.written()); }
+  static void read(const JsonPlace& place, T& into) {
+    typename T::Written written{};
+    read_json(place, written);
+    into.take(written);
+  }
+  static Json schema() { return json_schema_of<typename T::Written>(); }
+};
+
 template <class File>
 struct JsonForm<FormatName<File>> {
   static Json write(FormatName<File>) { return File::format; }

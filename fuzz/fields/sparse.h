@@ -2,10 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
-
-#include "fuzz/fields/json_form.h"
 
 namespace axiscert {
 
@@ -21,35 +20,6 @@ struct SparseCounts : std::array<std::uint64_t, Rule::size> {
   }
   void get(auto& decoder) {
     for (std::uint64_t& count : *this) decoder.get(count);
-  }
-};
-
-template <class Rule>
-struct JsonForm<SparseCounts<Rule>> {
-  static Json write(const SparseCounts<Rule>& counts) {
-    Json json = Json::object();
-    for (std::size_t i = 0; i < Rule::size; ++i) {
-      if (counts[i] != 0) json[Rule::name(i)] = counts[i];
-    }
-    return json;
-  }
-  static void read(const JsonPlace& place, SparseCounts<Rule>& into) {
-    place.require_type(place.value().is_object(), "object");
-    into = {};
-    for (const auto& [member, value] : place.value().items()) {
-      std::size_t i = 0;
-      while (i < Rule::size && Rule::name(i) != member) ++i;
-      if (i == Rule::size) place.at(member).refuse("under a name that is not in the schema");
-      read_json(place.at(member), into[i]);
-    }
-  }
-  static Json schema() {
-    Json names = Json::array();
-    for (std::size_t i = 0; i < Rule::size; ++i) names.push_back(Rule::name(i));
-    return {{"description", Rule::about},
-            {"type", "object"},
-            {"propertyNames", {{"enum", std::move(names)}}},
-            {"additionalProperties", json_schema_of<std::uint64_t>()}};
   }
 };
 

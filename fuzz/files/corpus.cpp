@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exact/trait/oracles.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "fuzz/text/json.h"
+
 namespace axiscert {
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/files/line_members.h"
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

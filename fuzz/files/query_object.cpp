@@ -1,5 +1,6 @@
 #include "fuzz/files/query_object.h"
 
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-// A line of a query file where JSON has the query as an object, or as a part of one.
+// A line of a query file as a struct, and the details of a query as query lines have them.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,7 @@
 #include "fuzz/text/json.h"
 
 namespace axiscert {
-struct QueryLine : std::string {
-  using std::string::string;
-  QueryLine(std::string text) : std::string(std::move(text)) {}
-};
-template <>
-struct JsonForm<QueryLine> {
-  static Json write(const QueryLine& line) { return Json::parse(static_cast<const std::string&>(line)); }
-  static void read(const JsonPlace& place, QueryLine& into) {
-    place.require_type(place.value().is_object(), "object");
-    into = place.value().dump();
-  }
-  static Json schema() { return {{"description", "A line of a query file."}, {"type", "object"}}; }
-};
-
-// The same as a struct, on which lines with more members are based.
+// A line of a query file, on which lines with more members are based.
 struct StoredLine {
   std::string id;
   Precision precision = Precision::binary32;

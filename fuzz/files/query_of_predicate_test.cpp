@@ -11,6 +11,7 @@
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/base/temporary_folder.h"
 #include "kernel/boxes/box_triangle.h"

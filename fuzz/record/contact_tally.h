@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exact/judge/contact_judgement.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/fields/sparse.h"
 #include "fuzz/record/decades.h"
 #include "fuzz/record/leaders.h"

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
-
 namespace axiscert {
 
 // A query worth keeping, by its position in the source: the record makes it again. The greater rank wins, then the
@@ -46,6 +44,12 @@ class Leaders {
       offer({rank, decoder.template next_of<std::uint64_t>()});
     }
   }
+  // JSON has the best rank, 0 where there is none; its query is a witness.
+  using Written = Rank;
+  Rank written() const { return best(); }
+  void take(const Rank& best) {
+    if (best != Rank{}) offer({best, 0});
+  }
   // Whether a candidate of at most this rank could still be kept.
   bool could_keep(const Candidate<Rank>& at_most) const {
     return kept_.size() < capacity_ || before(at_most, kept_.back());
@@ -58,18 +62,6 @@ class Leaders {
 
   std::size_t capacity_;
   std::vector<Candidate<Rank>> kept_;
-};
-
-// JSON has the best rank, 0 where there is none; its query is a witness.
-template <class Rank>
-struct JsonForm<Leaders<Rank>> {
-  static Json write(const Leaders<Rank>& leaders) { return json_of(leaders.best()); }
-  static void read(const JsonPlace& place, Leaders<Rank>& into) {
-    Rank best{};
-    read_json(place, best);
-    if (best != Rank{}) into.offer({best, 0});
-  }
-  static Json schema() { return json_schema_of<Rank>(); }
 };
 
 }  // namespace axiscert

@@ -9,7 +9,6 @@
 #include "fuzz/record/tally.h"
 #include "fuzz/fields/merge.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/files/query_object.h"
 #include "fuzz/queries/query_shape.h"
 #include "kernel/kernel.h"
 

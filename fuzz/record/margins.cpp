@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exact/trait/side_error.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/record/tally.h"
 
 namespace axiscert {

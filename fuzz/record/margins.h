@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
+#include "kernel/kernel.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fuzz/fields/json_form.h"
+
 namespace axiscert {
 
 CriticalRadiusRecord summary_of(CriticalRadiusTally tally) {

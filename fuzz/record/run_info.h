@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/trait/batch_oracle.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
-#include "fuzz/files/query_object.h"
+#include "fuzz/fields/values.h"
 #include "kernel/outcome.h"
 
 namespace axiscert {

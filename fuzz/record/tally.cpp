@@ -4,6 +4,7 @@
 
 #include "exact/trait/oracles.h"
 #include "exact/trait/side_error.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/fields/merge.h"
 
 namespace axiscert {
@@ -233,5 +234,18 @@ template void count_errors(Tally&, std::uint64_t, const Predicate&, const ExactS
                            std::size_t, const Tolerances&);
 template void count_errors(Tally&, std::uint64_t, const Predicate&, const ExactSides&, const Answers<double>&,
                            std::size_t, const Tolerances&);
+
+Json JsonForm<FirstQuery>::write(const FirstQuery& first) {
+  return first.position ? Json(*first.position + 1) : Json(nullptr);
+}
+void JsonForm<FirstQuery>::read(const JsonPlace& place, FirstQuery& into) {
+  into = {};
+  if (place.value().is_null()) return;
+  std::uint64_t number = 0;
+  read_json(place, number);
+  if (number == 0) place.refuse("is no query: the first is 1");
+  into.position = number - 1;
+}
+Json JsonForm<FirstQuery>::schema() { return {{"type", {"integer", "null"}}, {"minimum", 1}}; }
 
 }  // namespace axiscert

@@ -15,7 +15,7 @@
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
 #include "fuzz/record/contact_tally.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/fields/values.h"
 #include "kernel/outcome.h"
 
 namespace axiscert {
@@ -151,16 +151,9 @@ struct FirstQuery {
 // Counted from 1; null: none.
 template <>
 struct JsonForm<FirstQuery> {
-  static Json write(const FirstQuery& first) { return first.position ? Json(*first.position + 1) : Json(nullptr); }
-  static void read(const JsonPlace& place, FirstQuery& into) {
-    into = {};
-    if (place.value().is_null()) return;
-    std::uint64_t number = 0;
-    read_json(place, number);
-    if (number == 0) place.refuse("is no query: the first is 1");
-    into.position = number - 1;
-  }
-  static Json schema() { return {{"type", {"integer", "null"}}, {"minimum", 1}}; }
+  static Json write(const FirstQuery& first);
+  static void read(const JsonPlace& place, FirstQuery& into);
+  static Json schema();
 };
 
 // A member may be empty where the kernel declares no limits, has a reference (clear), the predicate has no depth, or

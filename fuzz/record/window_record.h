@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 
 namespace axiscert {
 

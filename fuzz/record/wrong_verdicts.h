@@ -9,6 +9,7 @@
 #include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/fields/field.h"
 #include "fuzz/record/decades.h"
 #include "fuzz/record/leaders.h"
 #include "kernel/kernel.h"

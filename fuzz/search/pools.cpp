@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fuzz/targets/json_mutator.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::fuzzing {
 namespace {

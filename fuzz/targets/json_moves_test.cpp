@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fuzz/targets/json_mutator.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert::fuzzing {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
+#include "fuzz/text/json.h"
 #include "kernel/plugin/manifest.h"
 
 namespace {

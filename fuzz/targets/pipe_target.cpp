@@ -11,6 +11,7 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/pipe/streams.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"

@@ -1,4 +1,4 @@
-// JSON in the form in which reports read and write it: members keep their order.
+// JSON in the form in which reports read and write it, whole.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
+#include "fuzz/text/json_fwd.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {
-using Json = nlohmann::ordered_json;
 
 // A whole number from JSON or CBOR that another program may have written.
 

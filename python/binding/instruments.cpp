@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
 #include "python/binding/common.h"
 #include "python/binding/options.h"

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"

@@ -12,6 +12,7 @@
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json.h"
 #include "kernel/sphere_triangle/query.h"
 #include "reports/certificate/breaks.h"
 #include "reports/certificate/page.h"

@@ -3,6 +3,7 @@
 // read unchanged.
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
+#include "fuzz/text/json.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/certificate/derived.h"
 #include "reports/certificate/page.h"

@@ -1,4 +1,5 @@
 // Certificates that are read and refused: each way to break one has its message.
+#include "fuzz/fields/json_form.h"
 #include "reports/certificate/statement/statement.h"
 
 #include <set>

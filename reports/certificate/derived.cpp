@@ -8,6 +8,7 @@
 
 #include "fuzz/certify/effort.h"
 #include "fuzz/certify/safe_margin.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"

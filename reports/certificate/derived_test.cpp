@@ -1,4 +1,5 @@
 // The counts of a certificate lead to the same as the run's record, and every contradiction is named.
+#include "fuzz/fields/json_form.h"
 #include "reports/certificate/derived.h"
 
 #include "fuzz/campaign/parts/gathered.h"

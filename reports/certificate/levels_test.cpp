@@ -1,5 +1,6 @@
 // A certificate calls proved only what the theory states, and a level met only where the search found nothing against
 // it.
+#include "fuzz/text/json.h"
 #include "reports/certificate/levels.h"
 
 #include <fmt/format.h>

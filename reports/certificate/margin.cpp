@@ -8,6 +8,7 @@
 #include "exact/numbers/rational.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "reports/wording/evidence.h"

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
 #include "reports/certificate/statement/canonical.h"

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/text.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"

@@ -1,3 +1,4 @@
+#include "fuzz/fields/json_form.h"
 #include "reports/certificate/derived.h"
 
 #include <fmt/format.h>

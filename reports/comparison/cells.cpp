@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/outcome.h"
 #include "reports/run_folder/identity.h"
 

@@ -11,6 +11,7 @@
 
 #include "fuzz/statistics/proportions.h"
 #include "fuzz/record/record.h"
+#include "fuzz/text/json.h"
 
 namespace axiscert {
 

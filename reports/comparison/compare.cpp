@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "reports/comparison/pairing.h"
 #include "reports/comparison/shown.h"

@@ -1,4 +1,5 @@
 // Comparison of records: a stored one with itself and with changed copies.
+#include "fuzz/text/json.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/comparison_report.h"
 #include "reports/testing/edited_record.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/text.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"

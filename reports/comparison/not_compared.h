@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 #include "kernel/base/enums.h"
 
 namespace axiscert {

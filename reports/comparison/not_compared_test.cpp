@@ -1,4 +1,5 @@
 // A part that two runs did not compare is said first and is no pass, unless it is allowed by name.
+#include "fuzz/text/json.h"
 #include "reports/comparison/not_compared.h"
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

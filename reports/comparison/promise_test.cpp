@@ -1,5 +1,6 @@
 // Who promises less is worse by that alone, and figures over other promised queries are not compared, whatever they
 // are.
+#include "fuzz/text/json.h"
 #include "reports/comparison/promise.h"
 #include "reports/comparison/shown.h"
 

@@ -9,6 +9,7 @@
 
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/witness.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/record.h"

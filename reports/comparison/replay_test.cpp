@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "kernel/kernel.h"
 #include "reports/comparison/replay.h"
 #include "reports/testing/test_run.h"

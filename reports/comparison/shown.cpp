@@ -79,9 +79,9 @@ std::string_view shown_of_place(std::string_view place) {
 
 std::uint64_t changed_verdicts(const VerdictTally& before, const VerdictTally& now) {
   std::uint64_t changed = 0;
-  for (std::uint64_t VerdictTally::*const count : {&VerdictTally::false_separation, &VerdictTally::false_contact,
-                                                   &VerdictTally::undecided, &VerdictTally::invalid,
-                                                   &VerdictTally::unanswered}) {
+  for (std::uint64_t VerdictTally::*const count :
+       {&VerdictTally::false_separation, &VerdictTally::false_contact, &VerdictTally::undecided, &VerdictTally::invalid,
+        &VerdictTally::unanswered}) {
     changed += std::max(before.*count, now.*count) - std::min(before.*count, now.*count);
   }
   return changed;
@@ -95,8 +95,9 @@ std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::ve
     if (here == nullptr) {
       hidden.push_back({then.name, fmt::format("no {} any more", then.name), true});
     } else if (then.answers && here->answers && *then.answers > *here->answers + changed) {
-      hidden.push_back({then.name, fmt::format("{} beside {} answers, {} before", then.name, thousands(*here->answers),
-                                               thousands(*then.answers)),
+      hidden.push_back({then.name,
+                        fmt::format("{} beside {} answers, {} before", then.name, thousands(*here->answers),
+                                    thousands(*then.answers)),
                         false});
     }
   }

@@ -1,4 +1,5 @@
-// What a kernel shows beside its verdicts, and beside how many answers: a greatest error over fewer of them is no better.
+// What a kernel shows beside its verdicts, and beside how many answers: a greatest error over fewer of them is no
+// better.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,8 @@
 namespace axiscert {
 
 struct Shown {
-  std::string name;                             // "comparisons", "sides"; a number by its place: "separation", "normal"
-  std::optional<std::uint64_t> answers = {};    // of a number: those that it was judged on
+  std::string name;                           // "comparisons", "sides"; a number by its place: "separation", "normal"
+  std::optional<std::uint64_t> answers = {};  // of a number: those that it was judged on
   bool operator==(const Shown&) const = default;
 };
 
@@ -27,7 +28,8 @@ bool is_shown_number(std::string_view name);
 // Of these, what the figures of a place are about: of "pushed" the normal, of "points" the first of the two.
 std::string_view shown_of_place(std::string_view place);
 
-// The verdicts of two runs over the same queries that differ for sure, by their counts: each may take its numbers along.
+// The verdicts of two runs over the same queries that differ for sure, by their counts: each may take its numbers
+// along.
 std::uint64_t changed_verdicts(const VerdictTally& before, const VerdictTally& now);
 
 // "separation beside 600 answers, 1,200 before".
@@ -36,6 +38,7 @@ struct Hidden {
   bool is_gone;  // beside all answers
 };
 // What was shown and is shown no more, or beside fewer answers than the changed verdicts explain.
-std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now, std::uint64_t changed);
+std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
+                                 std::uint64_t changed);
 
 }  // namespace axiscert

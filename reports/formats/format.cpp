@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 
+#include "fuzz/text/json.h"
+
 // The formats that exist, one line each: X(NAME) is `NAME_format`, which a file of its own defines.
 #define AXISCERT_FORMATS(X) \
   X(html)                   \

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

@@ -1,4 +1,5 @@
 // The contents of report.md, and the lines of witnesses.jsonl.
+#include "fuzz/text/json.h"
 #include "reports/testing/test_run.h"
 
 #include <sstream>

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 
+#include "fuzz/fields/json_form.h"
 #include "reports/comparison/cells.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/summary.h"

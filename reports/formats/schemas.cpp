@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/error.h"

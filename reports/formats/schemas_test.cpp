@@ -1,3 +1,4 @@
+#include "fuzz/text/json.h"
 #include "reports/formats/schemas.h"
 
 #include <fmt/format.h>

@@ -10,6 +10,7 @@
 
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/moving_sphere/names.h"
 #include "kernel/testing/planted_contacts.h"

@@ -138,8 +138,8 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
 }
 
 std::string UntakenLines::text() const {
-  return fmt::format("{} of {} queries of {}, which are of {}: it does not exist in it", thousands(count), thousands(all),
-                     family, name(precision));
+  return fmt::format("{} of {} queries of {}, which are of {}: it does not exist in it", thousands(count),
+                     thousands(all), family, name(precision));
 }
 
 std::vector<UntakenLines> lines_it_cannot_take(const Record& record, const std::string& id) {

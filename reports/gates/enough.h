@@ -18,9 +18,9 @@ std::string gap_of(const Record& record, const Subject& subject, const AskedLeve
 // empty.
 std::string weigh(const Subject& subject, const LevelFindings& found, double share, LevelOutcome& outcome);
 
-// "; the fewest of a family, 64 independent queries of tangent, show with 95 % that fewer than 4.57 % are wrong"; queries
-// that share a triangle count once. Nothing of a level with a yardstick, which is met by as many wrong ones as another
-// kernel has.
+// "; the fewest of a family, 64 independent queries of tangent, show with 95 % that fewer than 4.57 % are wrong";
+// queries that share a triangle count once. Nothing of a level with a yardstick, which is met by as many wrong ones as
+// another kernel has.
 std::string fewest_text(const Subject& subject, const LevelFindings& found, const AskedLevel& asked);
 
 // Queries of a file in a precision in which a kernel does not exist.

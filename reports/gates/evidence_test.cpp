@@ -4,6 +4,7 @@
 #include <random>
 #include <tuple>
 
+#include "fuzz/text/json.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 

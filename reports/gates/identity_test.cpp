@@ -1,6 +1,7 @@
 // A plug-in is known by the name that it declares: compare, the ratchet and code scanning take a file that was renamed,
 // moved or built anew for the same kernel, and another name for another kernel. What was not judged or not compared is
 // never a pass.
+#include "fuzz/text/json.h"
 #include "reports/run_folder/identity.h"
 
 #include "reports/comparison/compare.h"

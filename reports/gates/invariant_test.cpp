@@ -1,4 +1,5 @@
 // Verdicts that change with an exact image: what `logic` and `invariant=KIND` refuse, and how they say it.
+#include "fuzz/text/json.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 #include "reports/gates/invariant_level.h"

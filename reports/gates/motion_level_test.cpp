@@ -10,6 +10,7 @@
 #include "fuzz/moving_sphere/time_mutants.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"

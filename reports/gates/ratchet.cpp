@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "reports/comparison/cells.h"
 #include "reports/wording/evidence.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
+#include "fuzz/text/json.h"
 #include "kernel/predicate.h"
 #include "reports/comparison/promise.h"
 #include "reports/comparison/shown.h"

@@ -1,3 +1,4 @@
+#include "fuzz/text/json.h"
 #include "reports/gates/ratchet.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // Records that each level of --require accepts and refuses.
 #include <set>
 
+#include "fuzz/text/json.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 

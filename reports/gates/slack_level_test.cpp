@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "fuzz/text/json.h"
+
 namespace axiscert {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 #include "kernel/base/version.h"
 #include "kernel/outcome.h"
 
@@ -57,7 +57,7 @@ void add_columns(DataColumns& columns, const Json& schema, const std::string& pa
 // `first`, and the cells of a row that is a T.
 template <class T>
 DataColumns with_columns_of(DataColumns first) {
-  add_columns(first, json_schema_of<T>(), "");
+  add_columns(first, JsonForm<T>::schema(), "");
   return first;
 }
 

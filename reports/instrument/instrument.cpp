@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fuzz/text/json.h"
 #include "reports/page/page_template.h"
 
 namespace axiscert {

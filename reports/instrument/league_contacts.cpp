@@ -10,6 +10,7 @@
 #include "exact/trait/examine.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/confirm/witness.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/length_unit.h"
 #include "reports/wording/reproduce.h"

@@ -1,3 +1,4 @@
+#include "fuzz/fields/json_form.h"
 #include "reports/instrument/league_report.h"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/files/query_object.h"
 #include "fuzz/map/map.h"
 #include "reports/instrument/data.h"
 #include "reports/page/encoding.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/queries/source.h"
 #include "reports/wording/markdown_text.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/fields/field.h"
-#include "fuzz/fields/json_values.h"
+#include "fuzz/fields/values.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
 #include "kernel/kernel.h"

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "fuzz/text/json.h"
+
 namespace axiscert {
 
 // The characters that are replaced occur only in strings.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 
 namespace axiscert::embedded {
 // The text files built into the library, named by file; embed.cmake writes their definitions.

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 
 namespace axiscert {
 

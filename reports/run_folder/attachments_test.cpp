@@ -1,4 +1,5 @@
 // Files next to a record: shown where they have the form that is read, one clear error where they do not.
+#include "fuzz/text/json.h"
 #include "reports/run_folder/attachments.h"
 
 #include "reports/testing/test_run.h"

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/sha256.h"
 #include "reports/run_folder/run_folder.h"
 

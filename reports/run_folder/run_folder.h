@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/fields/values.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 #include "fuzz/text/length_unit.h"
 #include "kernel/predicate.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fuzz/record/wrong_verdicts.h"
+#include "fuzz/text/json.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

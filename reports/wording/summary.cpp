@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "fuzz/fields/merge.h"
+#include "fuzz/text/json.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

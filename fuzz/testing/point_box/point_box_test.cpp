@@ -1,4 +1,5 @@
 // A second predicate from end to end: listed, run, judged, recorded, and piped through a program.
+#include "fuzz/fields/json_form.h"
 #include "fuzz/testing/point_box/point_box.h"
 
 #include <gmock/gmock.h>

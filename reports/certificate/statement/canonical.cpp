@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/text.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 
 namespace axiscert {
 

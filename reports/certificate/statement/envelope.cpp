@@ -9,6 +9,7 @@
 #include <span>
 
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"

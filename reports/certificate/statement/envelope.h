@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 
 namespace axiscert {
 

@@ -1,4 +1,5 @@
 // Envelopes: what is signed, by whom, and every way in which one does not hold.
+#include "fuzz/text/json.h"
 #include "reports/certificate/statement/envelope.h"
 #include "reports/page/encoding.h"
 

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"

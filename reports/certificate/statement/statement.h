@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json.h"
+#include "fuzz/text/json_fwd.h"
 #include "kernel/kernel.h"
 #include "reports/certificate/statement/certificate_data.h"
 #include "reports/certificate/statement/envelope.h"

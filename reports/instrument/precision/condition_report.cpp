@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/fields/merge.h"
 #include "kernel/sphere_triangle/names.h"
 #include "reports/instrument/figures.h"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "fuzz/fields/json_form.h"
 #include "fuzz/fields/merge.h"
 #include "reports/instrument/figures.h"
 

@@ -1,7 +1,7 @@
 // The report of `axiscert critical-radius`.
 #pragma once
 
-#include "fuzz/files/query_object.h"
+#include "fuzz/fields/values.h"
 #include "fuzz/instruments/critical_radius.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/sweep_axis.h"

@@ -7,9 +7,16 @@
 #include <cmath>
 
 #include "fuzz/campaign/campaign.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
 
 namespace axiscert {
+
+Json JsonForm<ErrorQuantile>::write(ErrorQuantile at) {
+  return std::isfinite(at.value) ? Json(at.value) : Json("beyond binary64");
+}
+Json JsonForm<ErrorQuantile>::schema() { return {{"type", {"number", "string"}}, {"minimum", 0}}; }
+
 namespace {
 
 using Entries = std::vector<LadderEntry>;

@@ -17,8 +17,8 @@ struct ErrorQuantile {
 };
 template <>
 struct JsonForm<ErrorQuantile> {
-  static Json write(ErrorQuantile at) { return std::isfinite(at.value) ? Json(at.value) : Json("beyond binary64"); }
-  static Json schema() { return {{"type", {"number", "string"}}, {"minimum", 0}}; }
+  static Json write(ErrorQuantile at);
+  static Json schema();
 };
 
 using WindowData = std::optional<std::array<int, 2>>;

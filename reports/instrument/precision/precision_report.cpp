@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "exact/sphere_triangle/unbounded/degree.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/statistics/proportions.h"
 #include "kernel/formulae_list.h"
 #include "reports/wording/summary.h"
