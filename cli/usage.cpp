@@ -182,6 +182,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& refused, c
   if (const std::string text = empty_value(command, words); !text.empty()) return text;
   const std::vector<std::string> remaining = command.remaining();
   if (const std::string text = missing_value(command); !text.empty()) return text;
+  // Its value was taken for an argument, which may be one too many.
+  if (std::ranges::any_of(remaining, [](const std::string& word) { return word.starts_with('-'); }))
+    return unexpected_text(command, remaining);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&refused) != nullptr) {
     if (const std::string text = repeated_text(command); !text.empty()) return text;
     if (!words.empty() && words.back().starts_with("--") && has_option(command, words.back()))

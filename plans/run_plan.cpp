@@ -109,15 +109,16 @@ std::vector<const Kernel*> kernels_of(const std::vector<std::string>& ids) {
 
 // A precision in which no kernel exists is left out of the plan; one that was requested by name is an error for each
 // kernel that lacks it. A plug-in that cannot be loaded exists in none, which its findings report.
-void drop_idle_precisions(std::vector<Precision>& precisions, const std::vector<const Kernel*>& kernels,
-                          const std::string& asked) {
+void drop_idle_precisions(Questions& questions, const std::vector<const Kernel*>& kernels, const std::string& asked) {
   for (const Kernel* kernel : kernels) {
-    if (asked.empty() || is_unloadable(*kernel) || kernel->has(precisions.front())) continue;
+    if (asked.empty() || is_unloadable(*kernel) || kernel->has(questions.precisions.front())) continue;
     throw Error(fmt::format("--precision {}: kernel {} exists in {} only", asked, kernel->id,
                             kernel->has(Precision::binary32) ? "binary32" : "binary64"));
   }
-  std::erase_if(precisions, [&](Precision precision) {
-    return std::ranges::none_of(kernels, [&](const Kernel* kernel) { return kernel->has(precision); });
+  std::erase_if(questions.precisions, [&](Precision precision) {
+    const bool is_idle = std::ranges::none_of(kernels, [&](const Kernel* kernel) { return kernel->has(precision); });
+    if (is_idle) questions.idle.push_back(precision);
+    return is_idle;
   });
 }
 
@@ -274,7 +275,7 @@ Plan plan_of(const RunOptions& options) {
   if (options.planted != RunOptions().planted) require_served("--plant", predicate, predicates_with(has_filters));
   if (options.precision.empty()) questions.precisions = {Precision::binary32, Precision::binary64};
   else questions.precisions = {parse_precision(options.precision)};
-  drop_idle_precisions(questions.precisions, kernels, options.precision);
+  drop_idle_precisions(questions, kernels, options.precision);
   for (const std::string& tolerance : options.tolerances) add_tolerance(tolerance, predicate, judging);
   questions.seconds = options.seconds;
   judging.exact_only = options.exact_only;

@@ -96,7 +96,7 @@ ContactJudgement BodyContactJudge<Real, Exact>::judge(Verdict said, std::span<co
   // Nothing beside `separated` is no fault: axes tell no distance.
   const bool is_asked = any_given || said == Verdict::contact;
   if (gives(separation_measure, 1)) {
-    out.consistency = Consistency::consistent;
+    if (any_given) out.consistency = Consistency::consistent;
     if (std::isfinite(measures[separation_measure])) measure_separation(said, measures[separation_measure], out);
     else out.lacks_separation = is_asked;
   }

@@ -22,6 +22,7 @@ struct Questions {
   std::uint64_t seed = 1;
   std::vector<SourcePtr> sources;
   std::vector<Precision> precisions;
+  std::vector<Precision> idle;  // others, in which no kernel exists: lines of files in them are not asked
   // How many queries a source has in a precision, where the plan cannot choose.
   std::function<std::optional<std::uint64_t>(const Source&, Precision)> fixed_size = &Source::fixed_size;
   // How many otherwise; not read under a time limit.

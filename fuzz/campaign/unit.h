@@ -59,7 +59,9 @@ class ContactLook {
     if (!judge_) judge_ = oracles_.contact_judge(numbers_);
     if (!judge_) return;
     judge_->declare_margin(kernel.limits.margin);
-    count_contact(tally, position, judge_->judge(said, measures));
+    const ContactJudgement judgement = judge_->judge(said, measures);
+    count_contact(tally, position, judgement);
+    if (!judgement.missed) count_given(tally, position, *kernel.predicate, said, measures);
   }
 
  private:

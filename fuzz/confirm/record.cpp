@@ -88,6 +88,12 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
     }
   };
   put_counts(result, record.trials, &CellResult::queries);
+  for (const SourcePtr& source : questions.sources) {
+    for (const Precision precision : questions.idle) {
+      if (const std::uint64_t lines = source->fixed_size(precision).value_or(0); lines != 0)
+        record.trials.put(source->name())[precision] = lines;
+    }
+  }
   if (!result.complete && !questions.seconds)
     put_counts(planned(questions), record.planned.emplace(), &CellResult::queries);
   if (result.complete && questions.seconds) put_left_in_part(questions, result, record.planned);
@@ -113,18 +119,20 @@ namespace {
 Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) {
   const Predicate& predicate = *kernel.predicate;
   const std::uint64_t promised = tally.trials - tally.truth.invalid - tally.verdict.outside_limits->trials;
-  const bool has_sides = kernel.exposes == Exposure::sides && promised > tally.verdict.unanswered;
+  const std::uint64_t answered = promised - std::min(promised, tally.verdict.unanswered);
+  const bool has_sides = kernel.exposes == Exposure::sides && answered != 0;
   for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
     ComparisonTally& comparison = tally.comparisons[i];
-    comparison.max_error = has_sides ? std::optional(comparison.largest_error.best()) : std::nullopt;
+    const bool has_errors = has_sides && *comparison.range_events + *comparison.error_without_scale < answered;
+    comparison.max_error = has_errors ? std::optional(comparison.largest_error.best()) : std::nullopt;
+    if (!has_errors || !tolerances[i]) comparison.tolerance_failures.reset();
     if (!has_sides) comparison.range_events = comparison.error_without_scale = std::nullopt;
-    if (!has_sides || !tolerances[i]) comparison.tolerance_failures.reset();
   }
   for (std::size_t a = 0; a < predicate.clauses.size(); ++a) {
     bool has_tolerance = false;
     std::optional<Decimal6> max_error;
     for_each_bit(predicate.clauses[a].comparisons, [&](std::size_t i) {
-      has_tolerance |= tolerances[i].has_value();
+      has_tolerance |= tally.comparisons[i].tolerance_failures.has_value();
       max_error = std::max(max_error, tally.comparisons[i].max_error);
     });
     tally.axes[a].max_error = max_error;

@@ -123,7 +123,8 @@ ProbeFinding separations(Subject<Real>& subject) {
   constexpr MeasureKind kind = MeasureKind::separation;
   if (auto why = why_unasked(subject, kind)) return *why;
   std::vector<JudgedContact<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.separation || !one.exact.separation; });
+  subject.leave_out(std::erase_if(
+      all, [](const JudgedContact<Real>& one) { return !one.found.separation || !one.exact.separation; }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const std::size_t place = *first_measure(subject.predicate(), kind);
   const auto given = [&](const JudgedContact<Real>& one) { return one.measures[place]; };
@@ -205,7 +206,7 @@ ProbeFinding normals(Subject<Real>& subject) {
   constexpr MeasureKind kind = MeasureKind::normal;
   if (auto why = why_unasked(subject, kind)) return *why;
   std::vector<JudgedContact<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.normal_angle; });
+  subject.leave_out(std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.normal_angle; }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const auto angle = [](const JudgedContact<Real>& one) { return *one.found.normal_angle; };
   const auto length = [](const JudgedContact<Real>& one) { return one.found.normal_length_error.value_or(0); };
@@ -262,7 +263,7 @@ ProbeFinding features(Subject<Real>& subject) {
   constexpr MeasureKind kind = MeasureKind::feature;
   if (auto why = why_unasked(subject, kind)) return *why;
   std::vector<JudgedContact<Real>> all = judged_queries(subject);
-  std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.feature_is_right; });
+  subject.leave_out(std::erase_if(all, [](const JudgedContact<Real>& one) { return !one.found.feature_is_right; }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const std::size_t place = *first_measure(subject.predicate(), kind);
   std::map<double, std::size_t> said;
@@ -306,9 +307,9 @@ ProbeFinding contact_points(Subject<Real>& subject) {
     return std::max(
         {off, found.point_a_error.value_or(0), found.point_b_error.value_or(0), found.points_apart.value_or(0)});
   };
-  std::erase_if(all, [&](const JudgedContact<Real>& one) {
+  subject.leave_out(std::erase_if(all, [&](const JudgedContact<Real>& one) {
     return has_pair ? !one.found.point_b_error : !one.found.point_error;
-  });
+  }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const auto is_wrong = [&](const JudgedContact<Real>& one) { return error(one) > small<Real>; };
   const auto wrong = static_cast<std::size_t>(std::ranges::count_if(all, is_wrong));

@@ -126,6 +126,8 @@ Diagnosis diagnosed(const Kernel& kernel, const DiagnosisOptions& options) {
     const std::uint64_t queries = subject.take_count();
     LookedAt looked_at = subject.take_looked_at();
     require_enough(probe.kind.name, looked_at, found);
+    if (const std::uint64_t without = subject.take_left_out(); without != 0 && found.value != not_asked)
+      found.sentence += fmt::format(" {} other answers have none to compare.", without);
     diagnosis.properties.push_back({std::string(probe.kind.name), std::move(found.value), std::move(found.sentence),
                                     queries, std::move(found.witnesses), std::move(found.measured),
                                     std::move(looked_at)});

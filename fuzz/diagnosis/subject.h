@@ -88,6 +88,9 @@ class Subject {
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
   std::uint64_t take_count() { return std::exchange(asked_, 0); }
+  // Answers that a probe of numbers could not judge; those of them since the last call.
+  void leave_out(std::uint64_t answers) { left_out_ += answers; }
+  std::uint64_t take_left_out() { return std::exchange(left_out_, 0); }
   // These by answer, without those that others asked for.
   LookedAt take_looked_at() { return std::exchange(looked_at_, {}); }
 
@@ -124,7 +127,7 @@ class Subject {
   AnswerCounter<Real> counter_;
   LookedAt looked_at_;
   std::vector<JudgedContact<Real>> judged_contacts_;
-  std::uint64_t asked_ = 0, place_ = 0;
+  std::uint64_t asked_ = 0, left_out_ = 0, place_ = 0;
 };
 
 // A finding of a probe; the name is put by diagnose().

@@ -167,6 +167,35 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   }
 }
 
+void AnswerSet::add(std::uint64_t position) {
+  // The mixing of splitmix64: each position has 53 bits of its own.
+  std::uint64_t x = position + 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  mark ^= (x ^ (x >> 31)) >> 11;
+}
+
+void count_given(ContactTally& tally, std::uint64_t position, const Predicate& predicate, Verdict said,
+                 std::span<const double> measures) {
+  const bool says_contact = said == Verdict::contact;
+  tally.separations += !says_contact;
+  const auto count = [&](MeasureKind kind, GivenTally& given) {
+    if (!gives_measure(predicate, measures.size(), kind)) return;
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+      if (predicate.measures[k].kind == kind && std::isnan(measures[k])) return;
+    }
+    ++(says_contact ? given.contacts : given.separations);
+    (says_contact ? given.which_contacts : given.which_separations).add(position);
+  };
+  count(MeasureKind::time, tally.time->given);
+  count(MeasureKind::separation, tally.separation->given);
+  count(MeasureKind::feature, tally.feature->given);
+  count(MeasureKind::normal, tally.normal->given);
+  count(MeasureKind::point, tally.point->given);
+  count(MeasureKind::point_a, tally.point_a->given);
+  count(MeasureKind::point_b, tally.point_b->given);
+}
+
 ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {
   const auto gives = [&](MeasureKind kind) { return gives_measure(predicate, measure_count, kind); };
   const bool moves = is_of_motions(predicate), has_pair = gives(MeasureKind::point_a) && gives(MeasureKind::point_b);

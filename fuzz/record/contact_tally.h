@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "exact/judge/contact_judgement.h"
@@ -75,8 +76,36 @@ struct TunnelTally {
   }
 };
 
+// Which of some answers, as a mark that two sets share only where they are equal, but for one case in 2^53.
+struct AnswerSet {
+  std::uint64_t mark = 0;  // less than 2^53
+
+  void add(std::uint64_t position);
+  void merge(const AnswerSet& other) { mark ^= other.mark; }
+  void put(auto& encoder) const { encoder.put(mark); }
+  void get(auto& decoder) { decoder.get(mark); }
+  using Written = std::uint64_t;
+  Written written() const { return mark; }
+  void take(std::uint64_t written) { mark = written; }
+};
+
+// Which answers have a number, by the verdict that they say.
+struct GivenTally {
+  std::uint64_t contacts = 0, separations = 0;
+  AnswerSet which_contacts, which_separations;
+
+  static constexpr std::string_view about = "The answers that have the number, whether or not it can be judged.";
+  AXISCERT_FIELDS(GivenTally, AXISCERT_FIELD(contacts, "Those that say contact.", "answers"),
+                  AXISCERT_FIELD(separations, "Those that say separated.", "answers"),
+                  AXISCERT_FIELD(which_contacts, "A mark of which: another mark, other answers.", "mark"),
+                  AXISCERT_FIELD(which_separations, "The same of those that say separated.", "mark"))
+};
+
 struct TimeTally {
   std::uint64_t none = 0, invalid = 0, early = 0, best = 0, late = 0;
+  GivenTally given;
+
+  std::uint64_t judged() const { return early + best + late; }
   TimeErrors late_errors;
   TunnelTally late_tunnels;
   TimeErrors early_errors;
@@ -91,6 +120,7 @@ struct TimeTally {
         field(&TimeTally::early, {"early", "Times before the best one."}),
         field(&TimeTally::best, {"best", "Times that are the greatest number of the precision that is not late."}),
         field(&TimeTally::late, {"late", "Times after the first contact, the unsafe ones."}),
+        field(&TimeTally::given, {"given", GivenTally::about}),
         field(&TimeTally::late_errors, {"late_errors", "How late."}),
         field(&TimeTally::late_tunnels, {"late_tunnels", "Of the motions until late times."}),
         field(&TimeTally::early_errors, {"early_errors", "How early."}),
@@ -134,6 +164,7 @@ struct LessMarginTally {
 // Separations against the exact ones: the distance where the two are apart, less the penetration where not.
 struct SeparationTally {
   std::uint64_t judged = 0, none = 0;
+  GivenTally given;
   DecadeCounts by_decade{};
   Leaders<double> largest_error, largest_length;
   Leaders<Decimal6> largest_ulps, largest_in_u;
@@ -150,7 +181,7 @@ struct SeparationTally {
     return visit(
         field(&Of::judged, {"judged", "Answers with a separation that is a number."}),
         field(&Of::none, {"none", "Answers without one, though they have other numbers."}),
-        field(&Of::by_decade, {"by_decade", {}}),
+        field(&Of::given, {"given", GivenTally::about}), field(&Of::by_decade, {"by_decade", {}}),
         field(&Of::largest_error, {"largest_error", "Greatest difference, relative to the scene.", "of the scene"}),
         field(&Of::largest_length, {"largest_length", "Greatest difference.", "length"}),
         field(&Of::largest_ulps,
@@ -163,6 +194,7 @@ struct SeparationTally {
 
 struct FeatureTally {
   std::uint64_t judged = 0, none = 0, wrong = 0, unnamed = 0;
+  GivenTally given;
   Leaders<double> largest_error;
   Leaders<bool> first_wrong;
 
@@ -176,6 +208,7 @@ struct FeatureTally {
         field(&FeatureTally::wrong,
               {"wrong", "Those that name a part that is not nearest, of motions at the first contact."}),
         field(&FeatureTally::unnamed, {"unnamed", "Of the wrong ones, those whose number names no part."}),
+        field(&FeatureTally::given, {"given", GivenTally::about}),
         field(&FeatureTally::largest_error,
               {"largest_error",
                "Greatest distance of the centre, of motions at the first contact, beyond a plane that bounds the "
@@ -188,6 +221,7 @@ struct FeatureTally {
 
 struct NormalTally {
   std::uint64_t judged = 0, lengths = 0, none = 0;
+  GivenTally given;
   Leaders<double> largest_angle, largest_length_error;
 
   static constexpr auto fields(auto&& visit) {
@@ -197,6 +231,7 @@ struct NormalTally {
         field(&NormalTally::lengths, {"lengths", "Answers with a normal, whose length was judged."}),
         field(&NormalTally::none,
               {"none", "Answers without one, though there is one; of motions that overlap at the start not counted."}),
+        field(&NormalTally::given, {"given", GivenTally::about}),
         field(&NormalTally::largest_angle,
               {"largest_angle", "Greatest angle between it and the exact one, in radians.", "radians"}),
         field(&NormalTally::largest_length_error,
@@ -239,6 +274,7 @@ struct PushTally {
 
 struct PointTally {
   std::uint64_t judged = 0, none = 0;
+  GivenTally given;
   Leaders<double> largest_error;
 
   static constexpr auto fields(auto&& visit) {
@@ -246,6 +282,7 @@ struct PointTally {
         field(&PointTally::judged, {"judged", "Answers with a point, where it can be judged."}),
         field(&PointTally::none,
               {"none", "Answers without one, though there is one; of motions that overlap at the start not counted."}),
+        field(&PointTally::given, {"given", GivenTally::about}),
         field(&PointTally::largest_error,
               {"largest_error",
                "Greatest distance from the exact point, of motions at the first contact; of two bodies from the "
@@ -268,7 +305,7 @@ struct PointsTally {
 
 // The optional ones are empty where the kernel does not give that measure, or the predicate has no such thing.
 struct ContactTally {
-  std::uint64_t answers = 0;
+  std::uint64_t answers = 0, separations = 0;
   std::optional<TunnelTally> missed = TunnelTally();
   std::optional<TimeTally> time = TimeTally();
   std::optional<ConsistencyTally> consistency = ConsistencyTally();
@@ -286,6 +323,7 @@ struct ContactTally {
     return visit(field(&Of::answers, {"answers",
                                       "Answers whose measures are judged: of motions the contacts that are right, else "
                                       "all within its promises."}),
+                 field(&Of::separations, {"separations", "Of these, those that say separated.", "answers"}),
                  field(&Of::missed, {"missed", "The missed contacts of motions. Null in another predicate."}),
                  field(&Of::time, {"time", "Null where the kernel gives no time."}),
                  field(&Of::consistency, {"consistency", "Null where the kernel gives no separation."}),
@@ -301,6 +339,9 @@ struct ContactTally {
 };
 
 void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement);
+// Which of the numbers an answer has, as it is counted by count_contact().
+void count_given(ContactTally& tally, std::uint64_t position, const Predicate& predicate, Verdict said,
+                 std::span<const double> measures);
 // Without the parts that a kernel of the predicate does not give, with so many of its measures.
 ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count);
 

@@ -72,12 +72,12 @@ struct SignTally {
                      "The flips on queries where the kernel's verdict differs from that of its exact formulae, the "
                      "same way as the flip; of a comparison, those that belong to a decisive flip of its axis."),
       AXISCERT_FIELD(tolerance_failures,
-                     "Queries whose error is above the plan's tolerance; null where there is none, or no sides were "
+                     "Queries whose error is above the plan's tolerance; null where there is none, or no error was "
                      "measured: not checked."),
       field(&SignTally::max_error,
             {"max_error_u",
              "The largest |(computed lhs - computed rhs) - (lhs - rhs)| / (u (|lhs| + |rhs|)), u = 2^-24 or 2^-53, "
-             "rounded up to 6 significant digits; null where no sides were measured.",
+             "rounded up to 6 significant digits; null where no query has finite sides and a scale.",
              "u"},
             by::greatest),
       AXISCERT_FIELD(smallest_passing_tolerance, "The smallest tolerance with no failure; equal to max_error_u.", "u"),

@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view verdict_counts[] = {"false_separation", "false_contact", "undecided", "invalid",
                                                "unanswered"};
 constexpr std::string_view verdict_maxima[] = {"deepest_false_separation", "deepest_false_contact"};
-constexpr std::string_view comparison_counts[] = {"false_separation", "missed_separation", "tolerance_failures"};
+constexpr std::string_view comparison_counts[] = {"false_separation", "missed_separation", "tolerance_failures",
+                                                  "range_events"};
 
 // What is told beside verdicts, by place. Where a time is late, its tunnel goes with it; errors in u are compared on
 // the same queries, and not listed.
@@ -66,6 +67,7 @@ class Collector {
       add_count(comparison, "false_separation", tally.false_separation);
       add_count(comparison, "missed_separation", tally.missed_separation);
       if (tally.tolerance_failures) add_count(comparison, "tolerance_failures", *tally.tolerance_failures);
+      if (tally.range_events) add_count(comparison, "range_events", *tally.range_events);
       if (tally.max_error) add_maximum(comparison, "max_error_u", *tally.max_error);
     }
   }

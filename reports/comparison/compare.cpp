@@ -178,18 +178,18 @@ class Comparer {
     }
   }
 
-  // Numbers that stand beside fewer answers to the same queries.
+  // Numbers that do not stand beside all answers any more that had them.
   void compare_shown(const ComparedKernel& kernel, const KernelRecord& then, const KernelRecord& now) {
     const std::string precision(name(then.precision));
     for (const auto& [family, result] : then.families) {
       const FamilyRecord* const other = now.families.find(family);
-      if (other == nullptr || !has_same_queries(family, then.precision)) continue;
-      const std::uint64_t changed = changed_verdicts(result.verdict, other->verdict);
-      for (const auto& [name, text, is_gone] : hidden_since(shown_in(result), shown_in(*other), changed)) {
-        if (is_gone) continue;  // which is said of the kernel
-        fewer_.insert({kernel.before, precision, family, name});
-        note({fmt::format("{} {} on {}: {}", kernel.before, precision, family, name), text, kernel.names(), family,
-              Absence::fails});
+      if (other == nullptr) continue;
+      const bool are_same = has_same_queries(family, then.precision);
+      for (const Hidden& hidden : hidden_since(shown_in(result), shown_in(*other), are_same)) {
+        if (hidden.is_gone) continue;  // which is said of the kernel
+        hidden_.insert({kernel.before, precision, family, hidden.name});
+        note({fmt::format("{} {} on {}: {}", kernel.before, precision, family, hidden.name), hidden.text,
+              kernel.names(), family, Absence::fails});
       }
     }
   }
@@ -280,9 +280,9 @@ class Comparer {
       compared.is_breach = x.is_zero() && !y.is_zero() && is_breach(y);
     } else if (x.kind != Cell::Kind::finding && compared.same_queries && x.figure != y.figure) {
       const bool grew = x.kind == Cell::Kind::count ? x.count() < y.count() : is_less(x.figure, y.figure);
-      const bool is_over_fewer =
-          fewer_.contains({pairs_.of(x, true).before, x.precision, x.family, std::string(shown_of_place(x.place))});
-      if (grew || !is_over_fewer) compared.change = direction(x, y, grew);
+      const bool is_over_others =
+          hidden_.contains({pairs_.of(x, true).before, x.precision, x.family, std::string(shown_of_place(x.place))});
+      if (grew || !is_over_others) compared.change = direction(x, y, grew);
     }
     result_.cells.push_back(std::move(compared));
   }
@@ -347,7 +347,7 @@ class Comparer {
   RunComparison result_;
   std::set<std::string> said_;                              // each `what` of not_compared, with its kernel
   std::set<std::string> lost_;                              // families of one plan alone
-  std::set<std::array<std::string, 4>> fewer_;              // a number that stands beside fewer answers
+  std::set<std::array<std::string, 4>> hidden_;             // and a number that stands beside other answers
   std::set<FamilyOfKernel> apart_;                          // counted over other promised queries
   std::set<std::pair<std::string, std::string>> compared_;  // OLD's ids, and precisions
 };

@@ -232,10 +232,15 @@ TEST(CompareContacts, ATunnelADepthOfItAndATimeThatIsNotGivenAreCells) {
 
 TEST(CompareContacts, NormalsPointsEarlyTimesAndFeaturesThatAreWorseAreCells) {
   Json then = contacts(5, 0.25, 0);
-  then["feature"] = {{"judged", 900}, {"none", 0}, {"wrong", 2}, {"unnamed", 0}, {"largest_error", 0.25}};
-  then["normal"] = {
-      {"judged", 900}, {"lengths", 900}, {"none", 0}, {"largest_angle", 0.5}, {"largest_length_error", 0.0}};
-  then["point"] = {{"judged", 900}, {"none", 0}, {"largest_error", 0.125}};
+  then["feature"] = {{"judged", 900},        {"none", 0}, {"wrong", 2}, {"unnamed", 0}, {"given", given_beside(900)},
+                     {"largest_error", 0.25}};
+  then["normal"] = {{"judged", 900},
+                    {"lengths", 900},
+                    {"none", 0},
+                    {"given", given_beside(900)},
+                    {"largest_angle", 0.5},
+                    {"largest_length_error", 0.0}};
+  then["point"] = {{"judged", 900}, {"none", 0}, {"given", given_beside(900)}, {"largest_error", 0.125}};
   const auto cells_with = [&](const char* place, const char* member, const Json& value) {
     Json now = then;
     now[place][member] = value;

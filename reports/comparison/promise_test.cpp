@@ -39,15 +39,41 @@ TEST(Promise, EachPartThatLeavesOutMoreIsNamed) {
   EXPECT_TRUE(change_of(narrowed(), narrowed()).is_none());
 }
 
+// A normal beside contacts, and beside answers that say separated.
+std::vector<Shown> normals(const GivenBeside& contacts, const GivenBeside& separations) {
+  return {{"normal", {{contacts, separations}}}};
+}
+std::vector<std::string> hidden_texts(const std::vector<Shown>& before, const std::vector<Shown>& now,
+                                      bool are_same_queries = true) {
+  std::vector<std::string> texts;
+  for (const Hidden& hidden : hidden_since(before, now, are_same_queries)) texts.push_back(hidden.text);
+  return texts;
+}
+
 TEST(Shown, WhatIsShownNoMoreIsNamed) {
-  const std::vector<Shown> both{{"comparisons"}, {"normal", 9}}, one{{"comparisons"}};
-  const std::vector<Hidden> hidden = hidden_since(both, one, 100);
-  ASSERT_EQ(hidden.size(), 1u);
-  EXPECT_EQ(hidden[0].text, "no normal any more");
-  EXPECT_TRUE(hidden[0].is_gone);
-  EXPECT_THAT(hidden_since(one, both, 0), IsEmpty());
-  EXPECT_THAT(hidden_since({{"normal", 9}}, {{"normal", 7}}, 2), IsEmpty()) << "with their verdicts";
-  EXPECT_EQ(hidden_since({{"normal", 9}}, {{"normal", 7}}, 1).at(0).text, "normal beside 7 answers, 9 before");
+  const std::vector<Shown> none, both{{"comparisons"}, {"normal", {{GivenBeside{9, 9, "a"}, GivenBeside{}}}}};
+  EXPECT_THAT(hidden_texts(both, none), ElementsAre("no comparisons any more", "no normal any more"));
+  EXPECT_THAT(hidden_texts(none, both), IsEmpty());
+}
+
+TEST(Shown, ANumberHasToStandBesideTheSameAnswersOrBesideAll) {
+  const auto then = normals({600, 430, "a"}, {400, 0, ""});
+  EXPECT_THAT(hidden_texts(then, then), IsEmpty());
+  EXPECT_THAT(hidden_texts(then, normals({600, 215, "b"}, {400, 0, ""})),
+              ElementsAre("normal beside 215 of 600 contacts, 430 before"));
+  EXPECT_THAT(hidden_texts(then, normals({600, 430, "b"}, {400, 400, "c"})),
+              ElementsAre("normal beside 430 of 600 contacts, and other ones before"));
+  EXPECT_THAT(hidden_texts(then, normals({300, 300, "b"}, {700, 0, ""})), IsEmpty()) << "verdicts changed";
+  EXPECT_THAT(hidden_texts(normals({600, 600, "a"}, {400, 300, "b"}), normals({600, 600, "a"}, {400, 0, ""})),
+              ElementsAre("normal beside 0 of 400 answers `separated`, 300 before"));
+}
+
+TEST(Shown, OverOtherQueriesNotEvenHalfOfWhatWereAllIsLess) {
+  const auto then = normals({600, 600, "a"}, {40, 40, "b"});
+  EXPECT_THAT(hidden_texts(then, normals({500, 250, "c"}, {50, 0, ""}), false), IsEmpty()) << "40 are too few";
+  EXPECT_THAT(hidden_texts(then, normals({500, 249, "c"}, {50, 50, "d"}), false),
+              ElementsAre("normal beside 249 of 500 contacts, all before"));
+  EXPECT_THAT(hidden_texts(normals({600, 599, "a"}, {}), normals({600, 0, ""}, {}), false), IsEmpty());
 }
 
 TEST(Promise, EachBoundIsNarrowerInItsOwnDirection) {

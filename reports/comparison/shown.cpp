@@ -5,18 +5,21 @@
 #include <algorithm>
 
 #include "reports/comparison/cells.h"
+#include "reports/run_folder/identity.h"
+#include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
 namespace {
 
 constexpr std::string_view numbers[] = {"time", "separation", "feature", "normal", "point", "point_a", "point_b"};
+constexpr std::string_view said[] = {"contacts", "answers `separated`"};
 
 void tell_numbers(const ContactTally& contacts, const auto& tell) {
   const auto tell_part = [&](std::string_view name, const auto& part) {
-    if (part) tell(name, part->judged);
+    if (part) tell(name, part->given);
   };
-  if (contacts.time) tell("time", contacts.answers);
+  tell_part("time", contacts.time);
   tell_part("separation", contacts.separation);
   tell_part("feature", contacts.feature);
   tell_part("normal", contacts.normal);
@@ -30,13 +33,26 @@ const Shown* find_shown(const std::vector<Shown>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+// Whether answers that had a number have it no more, as far as it can be told.
+bool is_hidden(const GivenBeside& then, const GivenBeside& now, bool are_same_queries) {
+  if (then.given == 0 || now.is_all()) return false;
+  if (are_same_queries) return then.which != now.which;
+  const bool are_many = std::min(then.answers, now.answers) >= least_looked_at;
+  return are_many && then.is_all() && 2 * now.given < now.answers;
+}
+
 }  // namespace
 
 std::vector<Shown> shown_in(const FamilyRecord& result) {
   std::vector<Shown> all;
   if (!result.contacts) return all;
-  tell_numbers(*result.contacts, [&](std::string_view name, std::uint64_t answers) {
-    all.push_back({std::string(name), answers});
+  const std::uint64_t separations = result.contacts->separations, contacts = result.contacts->answers - separations;
+  tell_numbers(*result.contacts, [&](std::string_view name, const GivenTally& given) {
+    const auto mark = [](const AnswerSet& set) { return fmt::format("{:x}", set.mark); };
+    all.push_back(
+        {std::string(name),
+         {{GivenBeside{contacts, given.contacts, given.contacts == 0 ? "" : mark(given.which_contacts)},
+           GivenBeside{separations, given.separations, given.separations == 0 ? "" : mark(given.which_separations)}}}});
   });
   return all;
 }
@@ -48,10 +64,20 @@ std::vector<Shown> shown_in(const KernelRecord& entry) {
   }
   for (const auto& [family, result] : entry.families) {
     for (const Shown& number : shown_in(result)) {
-      const auto known = std::ranges::find(all, number.name, &Shown::name);
-      if (known == all.end()) all.push_back(number);
-      else *known->answers += *number.answers;
+      auto known = std::ranges::find(all, number.name, &Shown::name);
+      if (known == all.end()) known = all.insert(all.end(), {number.name, {{}}});
+      for (std::size_t side = 0; side < std::size(said); ++side) {
+        const GivenBeside& here = (*number.beside)[side];
+        GivenBeside& sum = (*known->beside)[side];
+        sum.answers += here.answers;
+        sum.given += here.given;
+        if (here.given != 0) sum.which += fmt::format("{}:{};", family, here.which);
+      }
     }
+  }
+  for (Shown& number : all) {
+    if (!number.beside) continue;
+    for (GivenBeside& side : *number.beside) side.which = side.given == 0 ? "" : short_sha256(side.which);
   }
   return all;
 }
@@ -61,9 +87,9 @@ std::vector<std::string> shown_names(const Predicate& predicate) {
   for (const Exposure shown : enumerators<Exposure>) {
     if (shown != Exposure::verdict) names.emplace_back(name(shown));
   }
-  const ContactTally given = given_contacts({}, predicate, predicate.measures.size());
-  if (!predicate.measures.empty())
-    tell_numbers(given, [&](std::string_view name, std::uint64_t) { names.emplace_back(name); });
+  if (predicate.measures.empty()) return names;
+  tell_numbers(given_contacts({}, predicate, predicate.measures.size()),
+               [&](std::string_view name, const GivenTally&) { names.emplace_back(name); });
   return names;
 }
 
@@ -77,28 +103,23 @@ std::string_view shown_of_place(std::string_view place) {
   return is_itself ? place : "comparisons";
 }
 
-std::uint64_t changed_verdicts(const VerdictTally& before, const VerdictTally& now) {
-  std::uint64_t changed = 0;
-  for (std::uint64_t VerdictTally::*const count :
-       {&VerdictTally::false_separation, &VerdictTally::false_contact, &VerdictTally::undecided, &VerdictTally::invalid,
-        &VerdictTally::unanswered}) {
-    changed += std::max(before.*count, now.*count) - std::min(before.*count, now.*count);
-  }
-  return changed;
-}
-
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
-                                 std::uint64_t changed) {
+                                 bool are_same_queries) {
   std::vector<Hidden> hidden;
   for (const Shown& then : before) {
     const Shown* const here = find_shown(now, then.name);
-    if (here == nullptr) {
+    if (here == nullptr || then.beside.has_value() != here->beside.has_value()) {
       hidden.push_back({then.name, fmt::format("no {} any more", then.name), true});
-    } else if (then.answers && here->answers && *then.answers > *here->answers + changed) {
-      hidden.push_back({then.name,
-                        fmt::format("{} beside {} answers, {} before", then.name, thousands(*here->answers),
-                                    thousands(*then.answers)),
-                        false});
+      continue;
+    }
+    for (std::size_t side = 0; then.beside && side < std::size(said); ++side) {
+      const GivenBeside &old = (*then.beside)[side], &fresh = (*here->beside)[side];
+      if (!is_hidden(old, fresh, are_same_queries)) continue;
+      const std::string were = !are_same_queries          ? "all before"
+                               : old.given == fresh.given ? "and other ones before"
+                                                          : thousands(old.given) + " before";
+      hidden.push_back({then.name, fmt::format("{} beside {} of {} {}, {}", then.name, thousands(fresh.given),
+                                               thousands(fresh.answers), said[side], were)});
     }
   }
   return hidden;

@@ -1,7 +1,7 @@
-// What a kernel shows beside its verdicts, and beside how many answers: a greatest error over fewer of them is no
-// better.
+// What a kernel shows beside its verdicts, and beside which answers: a greatest error over other answers is no better.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,33 +12,39 @@
 
 namespace axiscert {
 
-struct Shown {
-  std::string name;                           // "comparisons", "sides"; a number by its place: "separation", "normal"
-  std::optional<std::uint64_t> answers = {};  // of a number: those that it was judged on
-  bool operator==(const Shown&) const = default;
+// The answers that say one verdict, and those of them that have a number.
+struct GivenBeside {
+  std::uint64_t answers = 0, given = 0;
+  std::string which = {};  // a mark of the latter: another mark, other answers; empty where there is none
+
+  bool is_all() const { return given == answers; }
 };
 
-// What a kernel shows in a family, which may be empty, and in all of them.
+struct Shown {
+  std::string name;  // "comparisons", "sides"; a number by its place: "separation", "normal"
+  // Of a number: beside contacts, and beside answers that say separated.
+  std::optional<std::array<GivenBeside, 2>> beside = {};
+};
+
+// What a kernel shows in a family, of which numbers alone are told, and in all of them.
 std::vector<Shown> shown_in(const FamilyRecord& result);
 std::vector<Shown> shown_in(const KernelRecord& entry);
 
-// All that a kernel of a predicate may show; the numbers among it, each of which has a number of answers.
+// All that a kernel of a predicate may show; which of it is a number.
 std::vector<std::string> shown_names(const Predicate& predicate);
 bool is_shown_number(std::string_view name);
 // Of these, what the figures of a place are about: of "pushed" the normal, of "points" the first of the two.
 std::string_view shown_of_place(std::string_view place);
 
-// The verdicts of two runs over the same queries that differ for sure, by their counts: each may take its numbers
-// along.
-std::uint64_t changed_verdicts(const VerdictTally& before, const VerdictTally& now);
-
-// "separation beside 600 answers, 1,200 before".
 struct Hidden {
-  std::string name, text;
-  bool is_gone;  // beside all answers
+  std::string name;
+  std::string text;      // "separation beside 215 of 600 contacts, 430 before"
+  bool is_gone = false;  // beside all answers
 };
-// What was shown and is shown no more, or beside fewer answers than the changed verdicts explain.
+// What was shown and is shown no more, or not beside all of the answers that had it. Where a number stands beside all
+// contacts, or beside all that say separated, it may be that verdicts changed, which is told of them. Over other
+// queries it is told of what stood beside all, and stands not even beside half.
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
-                                 std::uint64_t changed);
+                                 bool are_same_queries = true);
 
 }  // namespace axiscert

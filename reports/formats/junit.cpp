@@ -140,7 +140,9 @@ void add_unchecked(Suite& suite, const std::vector<LevelOutcome>& outcomes, cons
 // `tolerance`: null where none was given.
 std::string tolerance_outcome(const ComparisonTally& tally, const std::string* tolerance) {
   if (tolerance == nullptr) return skipped_element("no tolerance was given for it (--tolerance)");
-  if (!tally.tolerance_failures) return skipped_element("the kernel does not show its sides");
+  if (!tally.tolerance_failures)
+    return skipped_element(tally.range_events ? "no query has finite sides and a scale"
+                                              : "the kernel does not show its sides");
   if (*tally.tolerance_failures == 0) return "";
   const std::string message =
       fmt::format("{} errors above {} u; the smallest tolerance that passes is {} u",

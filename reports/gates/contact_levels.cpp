@@ -121,16 +121,17 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     const std::uint64_t missed = moves ? result.verdict.false_separation : 0;
     found.families[family] = {given->judged + given->none + missed, given->judged};
     if (given->judged == 0) found.unseen.push_back(family);
-    const std::uint64_t promised = subject.evidence(result).promised();
-    if (!moves) unjudged += promised - std::min(promised, result.contacts->answers);
+    const std::uint64_t promised = subject.evidence(result).promised(), answers_here = result.contacts->answers;
+    if (!moves) unjudged += promised - std::min(promised, answers_here);
     judged += given->judged;
-    none += given->none;
+    none += answers_here - std::min(answers_here, given->judged);
   }
   if (judged == 0) found.not_checked = fmt::format("no {} has a {}", moves ? "contact that it found" : "answer", what);
   else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
-  if (none != 0) leave_out(found.leaves_out, fmt::format("{} {} without a {}", thousands(none), answers, what));
+  if (none != 0)
+    leave_out(found.leaves_out, fmt::format("{} {} without a {} to compare", thousands(none), answers, what));
   if (unjudged != 0)
     leave_out(found.leaves_out, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
                                             thousands(unjudged)));

@@ -31,13 +31,13 @@ Json numbers(double earliest_u, std::uint64_t wrong, double region, double angle
   found["time"]["early_errors"]["largest_share"] = std::ldexp(earliest_u, -24);
   found["time"]["early_errors"]["largest_length"] = std::ldexp(earliest_u, -5);
   found["feature"] = {
-      {"judged", 900 - none}, {"none", none}, {"wrong", wrong}, {"unnamed", 0}, {"largest_error", region}};
-  found["normal"] = {{"judged", 900 - none},
-                     {"lengths", 900 - none},
-                     {"none", none},
-                     {"largest_angle", angle},
-                     {"largest_length_error", length}};
-  found["point"] = {{"judged", 900 - none}, {"none", none}, {"largest_error", point}};
+      {"judged", 900 - none},   {"none", none}, {"wrong", wrong}, {"unnamed", 0}, {"given", given_beside(900 - none)},
+      {"largest_error", region}};
+  found["normal"] = {{"judged", 900 - none},   {"lengths", 900 - none},
+                     {"none", none},           {"given", given_beside(900 - none)},
+                     {"largest_angle", angle}, {"largest_length_error", length}};
+  found["point"] = {
+      {"judged", 900 - none}, {"none", none}, {"given", given_beside(900 - none)}, {"largest_error", point}};
   return found;
 }
 Json with_numbers(const Json& on_tangent) {

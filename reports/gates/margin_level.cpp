@@ -16,6 +16,7 @@ LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
   LevelFindings found;
   std::vector<std::string> families;
   std::uint64_t within = 0;
+  bool has_file = false;  // which has the queries that it has
   for (const auto& [family, result] : subject.families()) {
     const std::optional<WithinMargin> look = within_margin(subject.kernel(), result);
     if (!look || look->answered == 0) {
@@ -23,6 +24,7 @@ LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
       continue;
     }
     within += look->answered;
+    has_file |= is_file(family);
     families.push_back(family);
     found.families[family] = {look->answered, look->answered};
     subject.add(found.failures, family, look->answered - look->contacts,
@@ -32,9 +34,15 @@ LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
     found.not_checked = why_no_margin(subject.kernel());
     return found;
   }
+  if (within < least_looked_at && !has_file) {
+    found.not_checked = fmt::format("{} of its queries {} apart by no more than its margin, and {} are needed",
+                                    thousands(within), within == 1 ? "is" : "are", least_looked_at);
+  }
   found.covers =
       fmt::format("{} queries of {}, apart by no more than the margin", thousands(within), fmt::join(families, ", "));
-  found.leaves_out = "whether contact is right beyond the margin, which the other levels ask";
+  if (!found.unseen.empty())
+    leave_out(found.leaves_out, fmt::format("no query within the margin: {}", fmt::join(found.unseen, ", ")));
+  leave_out(found.leaves_out, "whether contact is right beyond the margin, which the other levels ask");
   return found;
 }
 

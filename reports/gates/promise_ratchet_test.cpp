@@ -75,39 +75,39 @@ TEST(RatchetOfPromises, ComparisonsThatAreShownNoMoreAreLess) {
 
 // The greatest error is less, since the numbers with the greater ones are not given any more.
 TEST(RatchetOfPromises, ANumberBesideFewerAnswersIsNoBetter) {
-  const auto giving = [](std::uint64_t answers, double error, std::uint64_t phantoms) {
+  const auto giving = [](std::uint64_t answers, double error, std::uint64_t said = 900) {
     Json record = without_errors(stored_record());
-    Json& tangent = tangent_counts(record);
-    tangent["verdict"]["false_contact"] = phantoms;
-    Json& contacts = tangent["contacts"];
+    Json& contacts = tangent_counts(record)["contacts"];
     contacts = json_of(ContactTally());
-    contacts["answers"] = 900;
+    contacts["answers"] = said;
     for (auto& [name, part] : contacts.items()) {
-      if (name != "answers" && name != "separation") part = nullptr;
+      if (name != "answers" && name != "separations" && name != "separation") part = nullptr;
     }
-    contacts["separation"]["judged"] = answers;
-    contacts["separation"]["largest_error"] = error;
+    Json& separation = contacts["separation"];
+    separation["judged"] = separation["given"]["contacts"] = answers;
+    separation["given"]["which_contacts"] = answers;
+    separation["largest_error"] = error;
     record["kernels"][0]["measures"] = {"separation"};
     return record;
   };
-  const RatchetOutcome fewer = held_to(giving(900, 0.5, 0), giving(400, 0.25, 0));
+  const RatchetOutcome fewer = held_to(giving(900, 0.5), giving(400, 0.25));
   EXPECT_THAT(failures_of_promises(fewer),
-              ElementsAre("published binary32 shows less than the ratchet: separation beside 400 answers, 900 before "
-                          "(r.txt:4)"));
+              ElementsAre("published binary32 shows less than the ratchet: separation beside 400 of 900 contacts, 900 "
+                          "before (r.txt:4)"));
   EXPECT_THAT(fewer.better, IsEmpty());
-  EXPECT_THAT(fewer.accepted, HasSubstr("accept: EXPIRY OWNER REASON\n")) << "over fewer answers";
-  EXPECT_THAT(held_to(giving(900, 0.5, 0), giving(400, 0, 0)).better, IsEmpty());
-  const RatchetOutcome mended = held_to(giving(900, 0.5, 500), giving(400, 0.25, 0));
-  EXPECT_THAT(failures_of_promises(mended), IsEmpty()) << "a phantom that is mended takes its number along";
-  EXPECT_THAT(mended.better, testing::SizeIs(2));
+  EXPECT_THAT(fewer.accepted, HasSubstr("accept: EXPIRY OWNER REASON\n")) << "over other answers";
+  EXPECT_THAT(held_to(giving(900, 0.5), giving(400, 0)).better, IsEmpty());
+  const RatchetOutcome mended = held_to(giving(900, 0.5), giving(400, 0.25, 400));
+  EXPECT_THAT(failures_of_promises(mended), IsEmpty()) << "it stands beside all that are contacts now";
+  EXPECT_THAT(mended.better, testing::SizeIs(1));
 
-  const RunComparison found = compare_records(giving(900, 0.5, 0), giving(400, 0.25, 0), {});
+  const RunComparison found = compare_records(giving(900, 0.5), giving(400, 0.25), {});
   EXPECT_FALSE(found.passes());
   EXPECT_EQ(found.count(Change::better), 0u);
   ASSERT_EQ(found.not_compared.size(), 1u);
   EXPECT_EQ(found.not_compared[0].what + ": " + found.not_compared[0].why,
-            "published binary32 on tangent: separation: separation beside 400 answers, 900 before");
-  EXPECT_TRUE(compare_records(giving(900, 0.5, 500), giving(400, 0.25, 0), {}).passes());
+            "published binary32 on tangent: separation: separation beside 400 of 900 contacts, 900 before");
+  EXPECT_TRUE(compare_records(giving(900, 0.5), giving(400, 0.25, 400), {}).passes());
 }
 
 TEST(RatchetOfPromises, AnotherPromiseIsNotComparedAndTheNewFileAcceptsIt) {
@@ -205,13 +205,16 @@ TEST(RatchetOfPromises, BadLinesAreNamed) {
   EXPECT_THAT(with("queries=4495", "queries=-1"), HasSubstr("'queries=-1' is not queries=NUMBER"));
   EXPECT_THAT(with("queries=4495 ", ""), HasSubstr("PRECISION queries=NUMBER touching=ANSWER"));
   EXPECT_THAT(with("binary32 queries", "binary16 queries"), HasSubstr("PRECISION 'binary16'"));
-  EXPECT_THAT(with("=comparisons,sides", "=comparisons,sides,comparisons"),
-              HasSubstr("shows= has 'comparisons' twice"));
-  EXPECT_THAT(with("=comparisons,", "=comparisons:3,"), HasSubstr("shows= has 'comparisons:3', and comparisons and"));
-  EXPECT_THAT(with("=comparisons,", "=separation,"), HasSubstr("shows= has 'separation', and comparisons and sides"));
-  EXPECT_THAT(with("=comparisons,", "=separation:-1,"), HasSubstr("shows= has 'separation:-1', and"));
-  EXPECT_THAT(with("=comparisons,", "=,"),
-              HasSubstr("shows= has '', which is none of: comparisons, sides, separation"));
+  EXPECT_THAT(with("=comparisons,sides", "=comparisons,sides,comparisons"), HasSubstr("it shows 'comparisons' twice"));
+  EXPECT_THAT(with("=comparisons,", "=separation,"), HasSubstr("a number is a word of its own: separation=ANSWERS@"));
+  EXPECT_THAT(with("=comparisons,", "=,"), HasSubstr("it shows '', which is none of: comparisons, sides, separation"));
+  EXPECT_THAT(with(" shows=comparisons,sides", ""), HasSubstr("its promise: in line 4 does not show comparisons"));
+  for (const char* word : {"separation=", "separation=4", "separation=4,0", "separation=0@a,0", "separation=-1@a,0",
+                           "separation=4@,0", "separation=x,0"}) {
+    EXPECT_THAT(with("shows=comparisons,sides", std::string("shows=comparisons,sides ") + word),
+                HasSubstr(fmt::format("'{}' is not NAME=ANSWERS@MARK,ANSWERS@MARK", word)));
+  }
+  EXPECT_EQ(with("shows=comparisons,sides", "separation=4@a,0 shows=comparisons,sides"), "");
   EXPECT_THAT(with("touching=contact", "touch=contact"), HasSubstr("r.txt:4: 'touch=contact' is no part of a promise"));
   EXPECT_THAT(promise_error("axiscert-ratchet/5 p\n"), HasSubstr("without a promise: line it holds no kernel"));
 }

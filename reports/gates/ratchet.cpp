@@ -64,11 +64,7 @@ HeldPromise promise_held(const KernelRecord& kernel, const Identities& identitie
 class Holder {
  public:
   Holder(const Ratchet& ratchet, const Record& record, std::string today)
-      : ratchet_(ratchet),
-        record_(record),
-        cells_(cells_of(record)),
-        identities_(identities_of(record)),
-        today_(std::move(today)) {
+      : ratchet_(ratchet), record_(record), identities_(identities_of(record)), today_(std::move(today)) {
     for (const auto& [id, identity] : identities_) {
       ids_[identity] = id;
       ids_[id] = id;
@@ -79,7 +75,7 @@ class Holder {
 
   RatchetOutcome run() {
     for (const KernelRecord& kernel : record_.kernels) hold_promise(kernel);
-    for (const Cell& cell : cells_) {
+    for (const Cell& cell : cells_of(record_)) {
       for (const std::string& known_by : {cell.identity, cell.kernel})
         shown_.insert(fingerprint(cell.key_of(known_by)));
       if (is_held(cell)) hold(cell);
@@ -122,7 +118,7 @@ class Holder {
     const HeldPromise* then = find_promise(ratchet_.promises, now.kernel, now.precision);
     if (then == nullptr) then = find_promise(ratchet_.promises, id, now.precision);
     if (then == nullptr) return;
-    if (const auto hidden = hidden_since(then->shows, now.shows, changed_since(id, now.precision)); !hidden.empty()) {
+    if (const auto hidden = hidden_since(then->shows, now.shows); !hidden.empty()) {
       std::vector<std::string> texts;
       for (const Hidden& one : hidden) {
         texts.push_back(one.text);
@@ -149,19 +145,6 @@ class Holder {
              not_checked_severity);
   }
 
-  // How many verdicts of a kernel differ for sure from the accepted ones.
-  std::uint64_t changed_since(const std::string& id, const std::string& precision) const {
-    std::uint64_t changed = 0;
-    for (const Cell& cell : cells_) {
-      if (cell.kernel != id || cell.precision != precision || cell.place != "verdict" || cell.kind != Cell::Kind::count)
-        continue;
-      const RatchetEntry* const entry = entry_of(cell);
-      const std::uint64_t then = entry == nullptr ? 0 : entry->figure.get<std::uint64_t>(), now = cell.count();
-      changed += std::max(then, now) - std::min(then, now);
-    }
-    return changed;
-  }
-
   // One that the ratchet names, and the run did not judge.
   void hold_missing(const HeldPromise& held) {
     promises_.push_back(held);
@@ -185,7 +168,7 @@ class Holder {
       not_shown_[{kernel, precision}].push_back(&entry);
       if (!is_hidden(kernel, precision, place_of(entry))) accept(entry.key, entry.figure, entry.waiver);
     } else if (is_hidden(kernel, precision, place_of(entry))) {
-      return;  // over fewer answers than what is accepted
+      return;  // over other answers than what is accepted
     } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
       outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
                                             ratchet_.name, entry.line));
@@ -197,7 +180,7 @@ class Holder {
   }
   static bool is_finding(const RatchetEntry& entry) { return place_of(entry) == "finding"; }
 
-  // Whether a kernel shows nothing of a place any more, or it beside fewer answers: nothing is better there.
+  // Whether a kernel shows nothing of a place any more, or not beside the same answers: nothing is better there.
   bool is_hidden(const std::string& kernel, const std::string& precision, const std::string& place) const {
     return hidden_.contains({ids_.at(kernel), precision, std::string(shown_of_place(place))});
   }
@@ -234,7 +217,7 @@ class Holder {
       failures_.push_back({failure_of(key, cell.kernel, text), severity(cell), excess});
       accept(key, cell.figure, open_waiver());
     } else if (is_less(cell.figure, accepted) && is_hidden(cell.identity, cell.precision, cell.place)) {
-      accept(key, cell.figure, open_waiver());  // over fewer answers than what is accepted
+      accept(key, cell.figure, open_waiver());  // over other answers than what is accepted
     } else {
       if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);
       accept(key, cell.figure, entry->waiver);
@@ -325,7 +308,6 @@ class Holder {
 
   const Ratchet& ratchet_;
   const Record& record_;
-  std::vector<Cell> cells_;
   Identities identities_;
   std::string today_;
   std::map<std::string, std::string> ids_;                // of the record, by identity and by id

@@ -106,6 +106,8 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   outcome.leaves_out = std::move(found.leaves_out);
   if (!outcome.outside.empty())
     leave_out(outcome.leaves_out, fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
+  else if (outcome.evidence.outside != 0)
+    leave_out(outcome.leaves_out, fmt::format("{} queries outside its limits", thousands(outcome.evidence.outside)));
   if (outcome.evidence.declined() != 0) leave_out(outcome.leaves_out, "what it declined");
   for (const UntakenLines& lines : lines_it_cannot_take(record, kernel.id)) {
     if (asked.is_about(lines.family)) leave_out(outcome.leaves_out, lines.text());
@@ -225,6 +227,8 @@ const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.na
 AskedLevel parse_level(const std::string& text) {
   constexpr std::string_view in = " in ";
   const std::size_t of_families = text.find(in);
+  if (text.ends_with(" in"))
+    throw Error(fmt::format("requirement '{}': name families after `in`, as in `exact in scene-*,far`", text));
   const std::string level_text = text.substr(0, of_families);
   AskedLevel asked{text, level_text.substr(0, level_text.find('='))};
   asked.has_argument = asked.name.size() != level_text.size();

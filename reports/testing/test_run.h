@@ -129,7 +129,7 @@ inline Json without_errors(Json record) {
                                "farthest_false_separation", "farthest_false_contact"})
       verdict[member] = 0.0;
     for (Json& comparison : family["comparisons"]) {
-      for (const char* member : {"false_separation", "missed_separation", "tolerance_failures"}) {
+      for (const char* member : {"false_separation", "missed_separation", "tolerance_failures", "range_events"}) {
         if (!comparison[member].is_null()) comparison[member] = 0;
       }
     }
@@ -138,6 +138,11 @@ inline Json without_errors(Json record) {
 }
 
 // For tests: the stored run as one of moving-sphere.
+
+// A number beside so many contacts, the same ones in each record, and beside no other answer.
+inline Json given_beside(std::uint64_t contacts) {
+  return {{"contacts", contacts}, {"separations", 0}, {"which_contacts", contacts}, {"which_separations", 0}};
+}
 
 // A family's first contacts, on 900 that are right: so many times are late, with these deepest tunnels.
 inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunnel) {
@@ -156,6 +161,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
     errors["largest_length"] = 0.25;
   }
   return {{"answers", 900},
+          {"separations", 0},
           {"missed", tunnels(missed_tunnel)},
           {"time",
            {{"none", 0},
@@ -163,6 +169,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
             {"early", 100},
             {"best", 800 - late},
             {"late", late},
+            {"given", given_beside(900)},
             {"late_errors", errors},
             {"late_tunnels", tunnels(late_tunnel)},
             {"early_errors", none},

@@ -87,7 +87,8 @@ const char* contact_note(bool moves) {
            "is a "
            "normal to the other side. What is left of a penetration is a share of it, after a push by its exact depth "
            "along "
-           "the normal. Angles are in radians, errors of points shares of the scene.";
+           "the normal. Angles are in radians, errors of points shares of the scene. In brackets: on how many answers, "
+           "where not on all.";
   }
   return "Late is after the exact first contact, early before the best time, the greatest number that is not late. A "
          "tunnel "
@@ -97,7 +98,7 @@ const char* contact_note(bool moves) {
          "the "
          "way and a length in the queries' unit, the greatest of each. Angles are in radians, errors of points shares "
          "of "
-         "the scene.";
+         "the scene. In brackets: on how many contacts, where not on all.";
 }
 
 const std::vector<std::string>& contact_columns(bool moves) {
@@ -112,34 +113,44 @@ const std::vector<std::string>& contact_columns(bool moves) {
 
 namespace {
 
-// What was judged on no answer has no figure.
-bool is_judged(const auto& part) { return part && part->judged != 0; }
+// What was judged on no answer has no figure; on some, and not on all, it says on how many: "0.25 (12)".
+std::string figure_on(std::uint64_t judged, std::uint64_t answers, const std::string& figure) {
+  if (judged == 0) return "-";
+  return judged < answers ? fmt::format("{} ({})", figure, thousands(judged)) : figure;
+}
 
 std::vector<std::string> body_cells(const ContactTally& contacts) {
-  constexpr const char* none = "-";
   std::vector<std::string> cells = {thousands(contacts.answers)};
-  const auto& separation = contacts.separation;
-  const bool has_separation = is_judged(separation);
-  cells.push_back(has_separation ? amount(separation->largest_error.best(), 3) : none);
-  cells.push_back(has_separation ? error_amount(separation->largest_ulps.best()) : none);
-  const auto& consistency = contacts.consistency;
-  cells.push_back(consistency ? thousands(consistency->positive + consistency->negative + consistency->missing) : none);
-  cells.push_back(is_judged(contacts.feature) ? thousands(contacts.feature->wrong) : none);
-  const bool has_pushes = is_judged(contacts.pushed), has_sides = has_pushes && contacts.pushed->with_a_side() != 0;
-  cells.push_back(has_sides ? thousands(contacts.pushed->flips) : none);
-  cells.push_back(has_pushes ? error_amount(contacts.pushed->largest_left.best()) : none);
-  cells.push_back(is_judged(contacts.normal) ? amount(contacts.normal->largest_angle.best(), 3) : none);
-  const bool has_lengths = contacts.normal && contacts.normal->lengths != 0;
-  cells.push_back(has_lengths ? amount(contacts.normal->largest_length_error.best(), 3) : none);
+  const auto put = [&](std::uint64_t judged, const std::string& figure) {
+    cells.push_back(figure_on(judged, contacts.answers, figure));
+  };
+  // A part that the kernel does not give was judged on none.
+  const auto part_of = [](const auto& part) { return part.value_or(std::remove_cvref_t<decltype(*part)>()); };
+  const SeparationTally separation = part_of(contacts.separation);
+  put(separation.judged, amount(separation.largest_error.best(), 3));
+  put(separation.judged, error_amount(separation.largest_ulps.best()));
+  const ConsistencyTally consistency = part_of(contacts.consistency);
+  const std::uint64_t contradictions = consistency.positive + consistency.negative + consistency.missing;
+  cells.push_back(separation.judged + contradictions == 0 ? "-" : thousands(contradictions));
+  const FeatureTally feature = part_of(contacts.feature);
+  put(feature.judged, thousands(feature.wrong));
+  const PushTally pushed = part_of(contacts.pushed);
+  put(pushed.with_a_side(), thousands(pushed.flips));
+  put(pushed.judged, error_amount(pushed.largest_left.best()));
+  const NormalTally normal = part_of(contacts.normal);
+  put(normal.judged, amount(normal.largest_angle.best(), 3));
+  put(normal.lengths, amount(normal.largest_length_error.best(), 3));
   double largest = 0;
-  bool is_given = false;
+  std::uint64_t fewest = 0;
   for (const auto* points : {&contacts.point, &contacts.point_a, &contacts.point_b}) {
-    if (!is_judged(*points)) continue;
-    is_given = true;
-    largest = std::max(largest, (*points)->largest_error.best());
+    const PointTally point = part_of(*points);
+    if (point.judged == 0) continue;
+    largest = std::max(largest, point.largest_error.best());
+    fewest = fewest == 0 ? point.judged : std::min(fewest, point.judged);
   }
-  cells.push_back(is_given ? amount(largest, 3) : none);
-  cells.push_back(is_judged(contacts.points) ? amount(contacts.points->largest_error.best(), 3) : none);
+  put(fewest, amount(largest, 3));
+  const PointsTally points = part_of(contacts.points);
+  put(points.judged, amount(points.largest_error.best(), 3));
   return cells;
 }
 
@@ -155,18 +166,22 @@ std::vector<std::string> contact_cells(const FamilyRecord& family) {
     cells.resize(7, "-");
   } else {
     const TimeTally& time = *motion.time;
-    const auto put_side = [&](std::uint64_t count, const TimeErrors& errors) {
-      cells.push_back(thousands(count));
-      cells.push_back(time_error_text(errors));
+    const auto put = [&](const std::string& figure) {
+      cells.push_back(figure_on(time.judged(), motion.answers, figure));
     };
-    put_side(time.late, time.late_errors);
-    cells.push_back(error_amount(time.late_tunnels.deepest.best()));
-    put_side(time.early, time.early_errors);
+    put(thousands(time.late));
+    put(time_error_text(time.late_errors));
+    put(error_amount(time.late_tunnels.deepest.best()));
+    put(thousands(time.early));
+    put(time_error_text(time.early_errors));
     cells.push_back(thousands(time.none + time.invalid));
   }
-  cells.push_back(is_judged(motion.feature) ? thousands(motion.feature->wrong) : "-");
-  cells.push_back(is_judged(motion.normal) ? amount(motion.normal->largest_angle.best(), 3) : "-");
-  cells.push_back(is_judged(motion.point) ? amount(motion.point->largest_error.best(), 3) : "-");
+  const auto put = [&](const auto& part, const auto& figure) {
+    cells.push_back(part ? figure_on(part->judged, motion.answers, figure(*part)) : "-");
+  };
+  put(motion.feature, [](const FeatureTally& feature) { return thousands(feature.wrong); });
+  put(motion.normal, [](const NormalTally& normal) { return amount(normal.largest_angle.best(), 3); });
+  put(motion.point, [](const PointTally& point) { return amount(point.largest_error.best(), 3); });
   cells.push_back(thousands(motion.missed->through));
   cells.push_back(error_amount(motion.missed->deepest.best()));
   return cells;

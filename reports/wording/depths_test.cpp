@@ -47,14 +47,18 @@ TEST(MotionWords, ARowHasACellForEachColumn) {
   time.early_errors = time_errors(3.5, 1e-8, 1e-7);
   const auto cells = contact_cells(family_of(time, 1));
   EXPECT_EQ(cells.size(), contact_columns(true).size());
-  EXPECT_THAT(cells, ElementsAre("1,200", "67", "12.5 % of the way, length 2.5", "0.5", "30", "3.5 ulps", "3", "-",
-                                 "0.25", "-", "2", "1"));
+  EXPECT_THAT(cells, ElementsAre("1,200", "67 (1,197)", "12.5 % of the way, length 2.5 (1,197)", "0.5 (1,197)",
+                                 "30 (1,197)", "3.5 ulps (1,197)", "3", "-", "0.25 (7)", "-", "2", "1"));
+  time.early = time.best = time.late = 0;
+  time.none = 1200;
+  EXPECT_THAT(contact_cells(family_of(time, 1)),
+              ElementsAre("1,200", "-", "-", "-", "-", "-", "1,202", "-", "0.25 (7)", "-", "2", "1"));
 }
 
 TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
   EXPECT_TRUE(contact_cells(family_of(std::nullopt, 0)).empty());
   EXPECT_THAT(contact_cells(family_of(std::nullopt, 0.75)),
-              ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "0.25", "-", "0", "0.75"));
+              ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "0.25 (7)", "-", "0", "0.75"));
   EXPECT_TRUE(contact_cells(FamilyRecord()).empty()) << "a predicate without measures";
 }
 
@@ -63,11 +67,11 @@ TEST(BodyWords, WhatWasJudgedOnNoAnswerHasNoFigure) {
   ContactTally& bodies = family.contacts.emplace();
   bodies.missed.reset();
   bodies.answers = 900;
-  const std::size_t angle = 7, length = 8;
   EXPECT_EQ(contact_cells(family).size(), contact_columns(false).size());
-  EXPECT_THAT(contact_cells(family)[angle] + contact_cells(family)[length], "--");
+  EXPECT_THAT(contact_cells(family), ElementsAre("900", "-", "-", "-", "-", "-", "-", "-", "-", "-", "-"));
   bodies.normal->lengths = 3;
-  EXPECT_THAT(contact_cells(family)[angle] + contact_cells(family)[length], "-0");
+  bodies.separation->judged = 900;
+  EXPECT_THAT(contact_cells(family), ElementsAre("900", "0", "0", "0", "-", "-", "-", "-", "0 (3)", "-", "-"));
 }
 
 }  // namespace

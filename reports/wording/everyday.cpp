@@ -45,20 +45,27 @@ std::string times_text(FamilyGroup group, const GroupResult::Times& times, const
                      amount(times.largest_share, 3));
 }
 
+// "12 of 1,000": so many, and so many others.
+std::string of_text(std::uint64_t count, std::uint64_t others) {
+  return fmt::format("{} of {}", thousands(count), thousands(count + others));
+}
+
 // Errors of contacts as a person would see them: times, or "; separations off by 3.2 mm at most; 2 separations of
 // the wrong sign; no flip", then "; 259 features wrong; normals up to 139 degrees
 // off; points up to 0.2 of the scene off". Normals from one degree on, points from a thousandth of the scene on.
 std::string contacts_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
   std::string text = times_text(group, result.late, "late", unit) + times_text(group, result.early, "early", unit);
-  if (result.has_times && text.empty()) text += "; no time late or early";
+  if (result.times != 0 && text.empty()) text += "; no time late or early";
+  if (result.without_time != 0)
+    text += fmt::format("; no time beside {} contacts", of_text(result.without_time, result.times));
   if (result.wrong_features != 0)
     text +=
         fmt::format("; {} feature{} wrong", thousands(result.wrong_features), result.wrong_features == 1 ? "" : "s");
   if (result.separations != 0) {
-    const std::string seldom = result.separations >= result.without_separation
-                                   ? ""
-                                   : fmt::format(", given beside {} of {} answers,", thousands(result.separations),
-                                                 thousands(result.separations + result.without_separation));
+    const std::string seldom =
+        result.separations >= result.without_separation
+            ? ""
+            : fmt::format(", given beside {} answers,", of_text(result.separations, result.without_separation));
     text +=
         fmt::format("; separations{} off by {} at most", seldom, length_in(group, result.farthest_separation, unit));
   }
@@ -66,7 +73,9 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
     text += fmt::format("; {} separation{} of the wrong sign", thousands(result.contradictions),
                         result.contradictions == 1 ? "" : "s");
   if (result.flips != 0) text += fmt::format("; {} flip{}", thousands(result.flips), result.flips == 1 ? "" : "s");
-  else if (result.has_pushes) text += "; no flip";
+  else if (result.pushes != 0) text += "; no flip";
+  if (result.pushes < result.without_push)
+    text += fmt::format("; no normal beside {} overlaps", of_text(result.without_push, result.pushes));
   const double degrees = result.largest_normal_angle * 180 / std::numbers::pi;
   if (degrees >= 1) text += fmt::format("; normals up to {} degrees off", amount(degrees, 3));
   if (result.largest_point_error >= 1e-3)
@@ -149,19 +158,22 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
       out.farthest_separation = std::max(out.farthest_separation, separation->worst_length());
     }
     if (const auto& numbers = result.contacts->consistency) out.contradictions += numbers->positive + numbers->negative;
-    if (const auto& pushed = result.contacts->pushed; pushed && pushed->judged != 0) {
-      out.has_pushes = true;
+    if (const auto& pushed = result.contacts->pushed) {
+      out.pushes += pushed->judged;
+      out.without_push += pushed->none;
       out.flips += pushed->flips;
     }
     if (!result.contacts->time) continue;
-    out.has_times = true;
+    const TimeTally& time = *result.contacts->time;
+    out.times += time.judged();
+    out.without_time += time.none + time.invalid;
     const auto add_times = [](GroupResult::Times& times, std::uint64_t count, const TimeErrors& errors) {
       times.count += count;
       times.farthest = std::max(times.farthest, errors.largest_length.best());
       times.largest_share = std::max(times.largest_share, errors.largest_share.best());
     };
-    add_times(out.late, result.contacts->time->late, result.contacts->time->late_errors);
-    add_times(out.early, result.contacts->time->early, result.contacts->time->early_errors);
+    add_times(out.late, time.late, time.late_errors);
+    add_times(out.early, time.early, time.early_errors);
   }
   return out;
 }

@@ -45,10 +45,10 @@ struct GroupResult {
     double farthest = 0, largest_share = 0;  // a length in the queries' unit, a share of the way
   };
   Times late, early;
-  bool has_times = false;                                 // the kernel gives them
+  std::uint64_t times = 0, without_time = 0;              // contacts, of a kernel that gives times
   std::uint64_t separations = 0, without_separation = 0;  // answers of bodies as they are
-  bool has_pushes = false;
-  double farthest_separation = 0;  // a length in the queries' unit
+  std::uint64_t pushes = 0, without_push = 0;             // overlaps
+  double farthest_separation = 0;                         // a length in the queries' unit
   std::uint64_t contradictions = 0, flips = 0;
   std::uint64_t wrong_features = 0;
   double largest_normal_angle = 0, largest_point_error = 0;  // radians, a share of the scene

@@ -57,9 +57,14 @@ TEST(Everyday, ComesFirstInMetres) {
 
 TEST(Everyday, SaysThatNoTimeIsOffWhereTheKernelGivesThem) {
   FamilyRecord family = family_of(0, 0, 0, 0);
-  family.contacts.emplace();
+  family.contacts.emplace().time->best = 11;
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; no time late or early");
+  family.contacts->time->none = 458;
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; no time late or early; no time beside 458 of 469 contacts");
+  family.contacts->time->best = 0;
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; no time beside 458 of 458 contacts");
   family.contacts->time.reset();
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict");
 }
@@ -105,9 +110,11 @@ TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
   const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
   numbers.answers = 1000;
   numbers.separation->judged = numbers.pushed->judged = 12;
+  numbers.pushed->none = 360;
   EXPECT_EQ(said(),
             "1,000 everyday scenes: no wrong verdict; separations, given beside 12 of 1,000 answers, off by 0 m at "
-            "most; no flip");
+            "most; no flip; no normal beside 360 of 372 overlaps");
+  numbers.pushed->none = 0;
   numbers.separation->judged = numbers.pushed->judged = 900;
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most; no flip");
   numbers.separation->largest_length.offer({0.0032, 0});

@@ -187,7 +187,7 @@ ContactJudgement SphereTriangleJudge<Real>::judge(Verdict said, std::span<const 
   // Nothing beside `separated` is no fault: many kernels speak of contacts alone.
   const bool is_asked = any_given || said == Verdict::contact;
   if (gives(places().separation, 1)) {
-    out.consistency = Consistency::consistent;
+    if (any_given) out.consistency = Consistency::consistent;
     const double given = measures[places().separation];
     if (std::isfinite(given)) judge_separation(said, given, out);
     else out.lacks_separation = is_asked;

@@ -112,8 +112,10 @@ const not_given = {none: 'not given'};
 function figure_of(contacts, part, member) {
   const told = contacts[part];
   if (!told) return null;
-  const judged = member === 'largest_length_error' ? told.lengths : member === 'flips' ? told.judged - told.nowhere : told.judged;
-  return judged === 0 && member !== 'judged' ? null : told[member];
+  if (member === 'judged') return told.judged;
+  const judged = part === 'consistency' ? contacts.separation.judged + told.positive + told.negative + told.missing
+    : member === 'largest_length_error' ? told.lengths : member === 'flips' ? told.judged - told.nowhere : told.judged;
+  return judged === 0 ? null : told[member];
 }
 function of_part(part, member, type, label, more) {
   return column[type](label, (row) => figure_of(row.result.contacts, part, member), {...not_given, ...more});
@@ -142,9 +144,12 @@ function body_tables(data, told) {
     of_part('consistency', 'missing', 'count', 'not given', {group: 'contradictions', alarm: 'bad'}),
   ], told, grouped(data, told)), table('Normals and points', [
     ...family_columns(told),
-    of_part('feature', 'wrong', 'count', 'wrong features', {alarm: 'warn'}),
+    of_part('feature', 'judged', 'count', 'given', {group: 'feature'}),
+    of_part('feature', 'wrong', 'count', 'wrong', {group: 'feature', alarm: 'warn'}),
+    of_part('pushed', 'judged', 'count', 'of overlaps', {group: 'normal'}),
     of_part('pushed', 'flips', 'count', 'flips', {group: 'normal', alarm: 'bad'}),
     size('pushed', 'largest_left', 'left', {group: 'normal'}),
+    of_part('normal', 'judged', 'count', 'compared', {group: 'normal'}),
     of_part('normal', 'largest_angle', 'amount', 'off by', {digits: 3, group: 'normal'}),
     of_part('normal', 'largest_length_error', 'amount', 'its length', {digits: 3, group: 'normal'}),
     ...points.map((part) => of_part(part, 'largest_error', 'amount', labels[part], {digits: 3})),
@@ -157,21 +162,22 @@ function motion_tables(data, rows) {
   if (told.length === 0) return el('div');
   const none = not_given;
   const time = (label, get, type, more) => column[type](label, (row) => row.result.contacts.time && get(row.result.contacts.time), {...none, ...more});
+  const judged = (get) => (t) => (t.early + t.best + t.late === 0 ? null : get(t));
   const size = (label, get, more) => time(label, get, 'text', {numeric: true, key: (value) => (value === null ? -Infinity : magnitude(value)), ...more,
     cell: (td, value) => td.append(value === null ? none.none : error_amount(value))});
   const side = (name, alarm) => [
-    time('times', (t) => t[name], 'count', {group: name, alarm}),
-    size('largest, ulps', (t) => t[`${name}_errors`].largest_ulps, {group: name}),
-    size('largest, u', (t) => t[`${name}_errors`].largest_in_u, {group: name}),
-    time('of the way', (t) => t[`${name}_errors`].largest_share, 'amount', {digits: 3, group: name}),
-    time('length', (t) => t[`${name}_errors`].largest_length, 'amount', {digits: 3, group: name}),
+    time('times', judged((t) => t[name]), 'count', {group: name, alarm}),
+    size('largest, ulps', judged((t) => t[`${name}_errors`].largest_ulps), {group: name}),
+    size('largest, u', judged((t) => t[`${name}_errors`].largest_in_u), {group: name}),
+    time('of the way', judged((t) => t[`${name}_errors`].largest_share), 'amount', {digits: 3, group: name}),
+    time('length', judged((t) => t[`${name}_errors`].largest_length), 'amount', {digits: 3, group: name}),
   ];
   const of = of_part;
   return el('div', 'motions', el('h3', '', 'First contacts'), el('p', 'lead', data.contact_note), table('First contacts', [
     ...family_columns(told),
     column.count('contacts', (row) => row.result.contacts.answers),
     ...side('late', 'bad'),
-    size('tunnel', (t) => t.late_tunnels.deepest_tunnel, {group: 'late'}),
+    size('tunnel', judged((t) => t.late_tunnels.deepest_tunnel), {group: 'late'}),
     ...side('early'),
     time('no time', (t) => t.none + t.invalid, 'count', {alarm: 'bad'}),
   ], told, grouped(data, told)), table('Where contacts are, and missed contacts', [
