@@ -9,7 +9,6 @@
 #include <functional>
 #include <span>
 
-#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/base/names.h"
 #include "kernel/base/text.h"
