@@ -13,6 +13,7 @@
 #include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/diagnosis/range_window.h"
+#include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
 #include "kernel/base/names.h"

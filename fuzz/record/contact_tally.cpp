@@ -179,21 +179,15 @@ void count_given(ContactTally& tally, std::uint64_t position, const Predicate& p
                  std::span<const double> measures) {
   const bool says_contact = said == Verdict::contact;
   tally.separations += !says_contact;
-  const auto count = [&](MeasureKind kind, GivenTally& given) {
+  for_each_number(tally, [&](MeasureKind kind, auto& part) {
     if (!gives_measure(predicate, measures.size(), kind)) return;
     for (std::size_t k = 0; k < measures.size(); ++k) {
       if (predicate.measures[k].kind == kind && std::isnan(measures[k])) return;
     }
+    GivenTally& given = part->given;
     ++(says_contact ? given.contacts : given.separations);
     (says_contact ? given.which_contacts : given.which_separations).add(position);
-  };
-  count(MeasureKind::time, tally.time->given);
-  count(MeasureKind::separation, tally.separation->given);
-  count(MeasureKind::feature, tally.feature->given);
-  count(MeasureKind::normal, tally.normal->given);
-  count(MeasureKind::point, tally.point->given);
-  count(MeasureKind::point_a, tally.point_a->given);
-  count(MeasureKind::point_b, tally.point_b->given);
+  });
 }
 
 ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {

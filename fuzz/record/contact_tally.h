@@ -338,6 +338,17 @@ struct ContactTally {
   }
 };
 
+// Calls visit(kind, part) for each number, with the part of the tally that has its GivenTally.
+void for_each_number(auto& tally, auto&& visit) {
+  visit(MeasureKind::time, tally.time);
+  visit(MeasureKind::separation, tally.separation);
+  visit(MeasureKind::feature, tally.feature);
+  visit(MeasureKind::normal, tally.normal);
+  visit(MeasureKind::point, tally.point);
+  visit(MeasureKind::point_a, tally.point_a);
+  visit(MeasureKind::point_b, tally.point_b);
+}
+
 void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement);
 // Which of the numbers an answer has, as it is counted by count_contact().
 void count_given(ContactTally& tally, std::uint64_t position, const Predicate& predicate, Verdict said,

@@ -230,11 +230,11 @@ class Comparer {
       if (said_.contains(whole + "\n" + kernel.name)) return;
     }
     const bool is_whole = cell.place == "verdict" || cell.kind == Cell::Kind::finding;
-    const std::string part = is_whole                              ? ""
-                             : cell.is_of_contacts()               ? ": contacts"
-                             : cell.member == "tolerance_failures" ? ": " + cell.name()
-                             : is_error_in_u(cell)                 ? ": errors in u"
-                                                                   : ": comparisons";
+    const std::string part = is_whole                                               ? ""
+                             : cell.is_of_contacts()                                ? ": contacts"
+                             : cell.member == "tolerance_failures"                  ? ": " + cell.name()
+                             : is_error_in_u(cell) || cell.member == "range_events" ? ": errors in u"
+                                                                                    : ": comparisons";
     note({family + part, why, kernel.names(), cell.family, absence});
   }
 
@@ -280,11 +280,17 @@ class Comparer {
       compared.is_breach = x.is_zero() && !y.is_zero() && is_breach(y);
     } else if (x.kind != Cell::Kind::finding && compared.same_queries && x.figure != y.figure) {
       const bool grew = x.kind == Cell::Kind::count ? x.count() < y.count() : is_less(x.figure, y.figure);
-      const bool is_over_others =
-          hidden_.contains({pairs_.of(x, true).before, x.precision, x.family, std::string(shown_of_place(x.place))});
-      if (grew || !is_over_others) compared.change = direction(x, y, grew);
+      if (grew || !is_over_others(x)) compared.change = direction(x, y, grew);
     }
     result_.cells.push_back(std::move(compared));
+  }
+
+  // Whether other answers have what a figure of OLD is about: nothing is better there.
+  bool is_over_others(const Cell& cell) {
+    const std::string& kernel = pairs_.of(cell, true).before;
+    return std::ranges::any_of(shown_of(cell.place, cell.member), [&](std::string_view shown) {
+      return hidden_.contains({kernel, cell.precision, cell.family, std::string(shown)});
+    });
   }
 
   // Answers that no promise of NEW's allows: one is a fault, whatever the queries.
@@ -312,7 +318,8 @@ class Comparer {
       const auto rate = [](const Cell& of) {
         return static_cast<double>(of.of.failures) / static_cast<double>(of.of.trials);
       };
-      cell.change = direction(cell.before, cell.after, rate(cell.before) < rate(cell.after));
+      const bool grew = rate(cell.before) < rate(cell.after);
+      if (grew || !is_over_others(cell.before)) cell.change = direction(cell.before, cell.after, grew);
     }
   }
 

@@ -62,7 +62,7 @@ TEST(Shown, ANumberHasToStandBesideTheSameAnswersOrBesideAll) {
   EXPECT_THAT(hidden_texts(then, normals({600, 215, "b"}, {400, 0, ""})),
               ElementsAre("normal beside 215 of 600 contacts, 430 before"));
   EXPECT_THAT(hidden_texts(then, normals({600, 430, "b"}, {400, 400, "c"})),
-              ElementsAre("normal beside 430 of 600 contacts, and other ones before"));
+              ElementsAre("normal beside 430 of 600 contacts, and 430 others before"));
   EXPECT_THAT(hidden_texts(then, normals({300, 300, "b"}, {700, 0, ""})), IsEmpty()) << "verdicts changed";
   EXPECT_THAT(hidden_texts(normals({600, 600, "a"}, {400, 300, "b"}), normals({600, 600, "a"}, {400, 0, ""})),
               ElementsAre("normal beside 0 of 400 answers `separated`, 300 before"));

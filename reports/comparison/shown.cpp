@@ -1,9 +1,14 @@
 #include "reports/comparison/shown.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "fuzz/text/json.h"
+#include "kernel/base/error.h"
+#include "kernel/base/names.h"
 #include "reports/comparison/cells.h"
 #include "reports/run_folder/identity.h"
 #include "reports/wording/evidence.h"
@@ -12,20 +17,13 @@
 namespace axiscert {
 namespace {
 
-constexpr std::string_view numbers[] = {"time", "separation", "feature", "normal", "point", "point_a", "point_b"};
 constexpr std::string_view said[] = {"contacts", "answers `separated`"};
+constexpr std::string_view exposures_word = "shows=";
 
 void tell_numbers(const ContactTally& contacts, const auto& tell) {
-  const auto tell_part = [&](std::string_view name, const auto& part) {
-    if (part) tell(name, part->given);
-  };
-  tell_part("time", contacts.time);
-  tell_part("separation", contacts.separation);
-  tell_part("feature", contacts.feature);
-  tell_part("normal", contacts.normal);
-  tell_part("point", contacts.point);
-  tell_part("point_a", contacts.point_a);
-  tell_part("point_b", contacts.point_b);
+  for_each_number(contacts, [&](MeasureKind kind, const auto& part) {
+    if (part) tell(name(kind), part->given);
+  });
 }
 
 const Shown* find_shown(const std::vector<Shown>& all, std::string_view name) {
@@ -93,14 +91,17 @@ std::vector<std::string> shown_names(const Predicate& predicate) {
   return names;
 }
 
-bool is_shown_number(std::string_view name) { return std::ranges::find(numbers, name) != std::end(numbers); }
-
-std::string_view shown_of_place(std::string_view place) {
-  if (place == "pushed") return "normal";
-  if (place == "points") return "point_a";
-  if (place == "consistency") return "separation";
-  const bool is_itself = place == "verdict" || place == "finding" || is_place_of_contacts(place);
-  return is_itself ? place : "comparisons";
+std::vector<std::string_view> shown_of(const std::string& place, std::string_view member) {
+  if (place == "pushed") return {"normal"};
+  if (place == "point_a" || place == "point_b") return {"point_a", "point_b"};  // judged where both are given
+  if (place == "points") return {"point_a", "point_b", "separation"};
+  if (place == "consistency") return {"separation"};
+  for (const MeasureKind kind : enumerators<MeasureKind>) {
+    if (kind != MeasureKind::other && place == name(kind)) return {name(kind)};
+  }
+  if (place == "verdict" || place == "finding" || is_place_of_contacts(place)) return {};
+  const bool is_of_sides = member != "false_separation" && member != "missed_separation";
+  return {name(is_of_sides ? Exposure::sides : Exposure::comparisons)};
 }
 
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
@@ -116,13 +117,76 @@ std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::ve
       const GivenBeside &old = (*then.beside)[side], &fresh = (*here->beside)[side];
       if (!is_hidden(old, fresh, are_same_queries)) continue;
       const std::string were = !are_same_queries          ? "all before"
-                               : old.given == fresh.given ? "and other ones before"
+                               : old.given <= fresh.given ? fmt::format("and {} others before", thousands(old.given))
                                                           : thousands(old.given) + " before";
       hidden.push_back({then.name, fmt::format("{} beside {} of {} {}, {}", then.name, thousands(fresh.given),
                                                thousands(fresh.answers), said[side], were)});
     }
   }
   return hidden;
+}
+
+namespace {
+
+[[noreturn]] void fail_number(const std::string& word) {
+  throw Error(
+      fmt::format("'{}' is not MEASURE=COUNT@MARK,COUNT@MARK: beside how many contacts, and answers that say "
+                  "separated, it stands, and a mark of which; 0 for none",
+                  word));
+}
+
+// "600@1f3c9a2b4d5e6f70", or "0".
+GivenBeside side_of(const std::string& text, const std::string& word) {
+  const std::size_t at = std::min(text.find('@'), text.size());
+  const Json given = Json::parse(text.substr(0, at), nullptr, false);
+  if (!given.is_number_unsigned()) fail_number(word);
+  const GivenBeside side{0, given.get<std::uint64_t>(), at == text.size() ? "" : text.substr(at + 1)};
+  if ((side.given == 0) != (at == text.size()) || (side.given != 0 && side.which.empty())) fail_number(word);
+  return side;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_shown(const std::vector<Shown>& shown) {
+  std::vector<std::string> exposures, words;
+  const auto side = [](const GivenBeside& of) {
+    return of.given == 0 ? "0" : fmt::format("{}@{}", of.given, of.which);
+  };
+  for (const auto& [name, beside] : shown) {
+    if (!beside) exposures.push_back(name);
+    else words.push_back(fmt::format("{}={},{}", name, side((*beside)[0]), side((*beside)[1])));
+  }
+  if (!exposures.empty()) words.insert(words.begin(), fmt::format("{}{}", exposures_word, fmt::join(exposures, ",")));
+  return words;
+}
+
+bool add_shown_word(const std::string& word, const Predicate* predicate, std::vector<Shown>& shown) {
+  const std::string name = word.substr(0, word.find('='));
+  std::vector<Shown> added;
+  if (word.starts_with(exposures_word)) {
+    for (std::size_t at = exposures_word.size(); at <= word.size();) {
+      const std::size_t end = std::min(word.find(',', at), word.size());
+      added.push_back({word.substr(at, end - at)});
+      if (enumerator_named<Exposure>(added.back().name).value_or(Exposure::verdict) == Exposure::verdict)
+        throw Error(fmt::format("'{}' names '{}', which is neither comparisons nor sides", word, added.back().name));
+      at = end + 1;
+    }
+  } else if (enumerator_named<MeasureKind>(name).value_or(MeasureKind::other) != MeasureKind::other) {
+    const std::size_t equals = std::min(word.find('='), word.size() - 1), comma = word.find(',');
+    if (comma == word.npos || equals > comma) fail_number(word);
+    added.push_back(
+        {name, {{side_of(word.substr(equals + 1, comma - equals - 1), word), side_of(word.substr(comma + 1), word)}}});
+  } else {
+    return false;
+  }
+  for (Shown& one : added) {
+    if (predicate != nullptr && !std::ranges::count(shown_names(*predicate), one.name))
+      throw Error(fmt::format("'{}' shows '{}', which is none of: {}", word, one.name,
+                              fmt::join(shown_names(*predicate), ", ")));
+    if (find_shown(shown, one.name) != nullptr) throw Error(fmt::format("'{}' shows '{}' again", word, one.name));
+    shown.push_back(std::move(one));
+  }
+  return true;
 }
 
 }  // namespace axiscert

@@ -30,11 +30,8 @@ struct Shown {
 std::vector<Shown> shown_in(const FamilyRecord& result);
 std::vector<Shown> shown_in(const KernelRecord& entry);
 
-// All that a kernel of a predicate may show; which of it is a number.
-std::vector<std::string> shown_names(const Predicate& predicate);
-bool is_shown_number(std::string_view name);
-// Of these, what the figures of a place are about: of "pushed" the normal, of "points" the first of the two.
-std::string_view shown_of_place(std::string_view place);
+// What has to be shown for a figure of a place; nothing for one of verdicts.
+std::vector<std::string_view> shown_of(const std::string& place, std::string_view member);
 
 struct Hidden {
   std::string name;
@@ -46,5 +43,12 @@ struct Hidden {
 // queries it is told of what stood beside all, and stands not even beside half.
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
                                  bool are_same_queries = true);
+
+// The same in words that a file can hold: "shows=comparisons,sides", and of each number
+// "separation=600@1f3c9a2b4d5e6f70,0": beside 600 contacts, with a mark of which, and no answer that says separated.
+std::vector<std::string> words_of_shown(const std::vector<Shown>& shown);
+// Reads such a word; false: it is no such word. Throws Error that names it and says what would be right. `predicate`
+// may be null: not known here.
+bool add_shown_word(const std::string& word, const Predicate* predicate, std::vector<Shown>& shown);
 
 }  // namespace axiscert

@@ -100,7 +100,7 @@ std::string depths_section(const Record& record) {
 std::string contact_section(const Record& record) {
   const bool moves = is_of_motions(predicate_of(record.plan));
   Section section(moves ? "First contacts" : "Contacts");
-  section.add_line(std::string(contact_note(moves)) + "\n");
+  section.add_line(std::string(contact_note(moves)) + " In brackets: on how many answers, where not on all.\n");
   std::vector<std::string> columns = {"kernel", "precision", "family"};
   columns.insert(columns.end(), contact_columns(moves).begin(), contact_columns(moves).end());
   section.add_head(columns, 3);

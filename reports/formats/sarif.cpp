@@ -46,6 +46,7 @@ constexpr Rule rules[] = {
      "A comparison does not hold that holds in exact arithmetic, by the kernel's own formulae."},
     {"tolerance", "tolerance_failures", CountOf::comparison, "error",
      "A comparison's error is above the tolerance given for it."},
+    {"not-finite", "range_events", CountOf::comparison, "note", "A computed side of a comparison is not finite."},
     {"late-time", "late", CountOf::time, "warning",
      "The time is later than the first contact: what moves so far goes in."},
     {"early-time", "early", CountOf::time, "note", "The time is earlier than the best number of the precision."},

@@ -102,7 +102,8 @@ std::string seldom_text(const Subject& subject, const Counts& counts, std::strin
 }
 
 // Looks at the answers with the number; why that is too little stands in `not_checked`.
-LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind kind, std::string_view what) {
+LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind kind, std::string_view what,
+                      std::string_view without) {
   LevelFindings found;
   const Predicate& predicate = predicate_of(subject.record().plan);
   const bool moves = is_of_motions(predicate);
@@ -130,8 +131,7 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
   else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
-  if (none != 0)
-    leave_out(found.leaves_out, fmt::format("{} {} without a {} to compare", thousands(none), answers, what));
+  if (none != 0) leave_out(found.leaves_out, fmt::format("{} {} without {}", thousands(none), answers, without));
   if (unjudged != 0)
     leave_out(found.leaves_out, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
                                             thousands(unjudged)));
@@ -156,7 +156,7 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
         return contacts.time ? std::optional(Given{contacts.answers - contacts.time->none - contacts.time->invalid})
                              : std::nullopt;
       },
-      MeasureKind::time, "time");
+      MeasureKind::time, "time", "a time");
   subject.add_untimed(found.failures);
   for_each_part(subject, &ContactTally::time, [&](const std::string& family, const TimeTally& time) {
     const Decimal6 earliest = time.early_errors.largest_in_u.best();
@@ -177,8 +177,8 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
 LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) {
   const SizeBound bound = size_bound(asked, separation_bound);
   const double metres_of_unit = metres_of(subject.record().plan);
-  LevelFindings found =
-      look_at(subject, counts_of(&ContactTally::separation), MeasureKind::separation, name(MeasureKind::separation));
+  LevelFindings found = look_at(subject, counts_of(&ContactTally::separation), MeasureKind::separation, "separation",
+                                "a separation to compare");
   for_each_part(subject, &ContactTally::consistency, [&](const std::string& family, const ConsistencyTally& tally) {
     const auto add = [&](std::uint64_t count, const char* what, Consistency which) {
       subject.add_shown(found.failures, family, count, what, consistency_words[which]);
@@ -203,7 +203,8 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
 }
 
 LevelFindings judge_feature(const AskedLevel& asked, const Subject& subject) {
-  LevelFindings found = look_at(subject, counts_of(&ContactTally::feature), MeasureKind::feature, "feature");
+  LevelFindings found =
+      look_at(subject, counts_of(&ContactTally::feature), MeasureKind::feature, "feature", "a feature to compare");
   for_each_part(subject, &ContactTally::feature, [&](const std::string& family, const FeatureTally& feature) {
     if (!asked.has_argument) {
       subject.add_shown(found.failures, family, feature.wrong, "features that are not touched first", "a feature");
@@ -231,8 +232,8 @@ void add_worst(const Subject& subject, LevelFindings& found, const std::string& 
 }
 
 // Normals beside separations alone say nothing of those beside contacts, by which bodies are pushed.
-LevelFindings look_at_normals(const Subject& subject, const Counts& counts) {
-  LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal");
+LevelFindings look_at_normals(const Subject& subject, const Counts& counts, std::string_view without) {
+  LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal", without);
   if (found.not_checked.empty())
     found.not_checked = seldom_text(subject, counts_of(&ContactTally::pushed), "normal of an overlap");
   return found;
@@ -240,7 +241,7 @@ LevelFindings look_at_normals(const Subject& subject, const Counts& counts) {
 
 LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, angle_bound);
-  LevelFindings found = look_at_normals(subject, counts_of(&ContactTally::normal));
+  LevelFindings found = look_at_normals(subject, counts_of(&ContactTally::normal), "a normal to compare");
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
     add_worst(subject, found, family, degrees, most, "normal", " degrees", "largest angle of a normal");
@@ -254,7 +255,7 @@ LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
   const Counts lengths = [](const ContactTally& contacts) {
     return contacts.normal ? std::optional(Given{contacts.normal->lengths, contacts.normal->none}) : std::nullopt;
   };
-  LevelFindings found = look_at_normals(subject, lengths);
+  LevelFindings found = look_at_normals(subject, lengths, "a normal that has a length");
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     add_worst(subject, found, family, normal.largest_length_error.best(), most, "length of a normal", " of 1",
               "largest error of a normal's length");
@@ -263,12 +264,12 @@ LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
 }
 
 LevelFindings look_at_pushed(const Subject& subject, const Counts& counts) {
-  LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal");
+  LevelFindings found =
+      look_at(subject, counts, MeasureKind::normal, "normal", "a depth and a normal along which to push");
   if (is_of_motions(predicate_of(subject.record().plan))) {
     found = {};
     found.not_checked = "in a predicate of motions nothing is pushed out of another";
   }
-  leave_out(found.leaves_out, "answers where the exact depth is 0");
   return found;
 }
 
@@ -302,8 +303,10 @@ LevelFindings judge_left(const AskedLevel& asked, const Subject& subject) {
 LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
   const double most = bound_of(asked, scene_bound);
   const bool has_pair = has_measure(predicate_of(subject.record().plan), MeasureKind::point_b);
-  LevelFindings found = has_pair ? look_at(subject, counts_of(&ContactTally::point_b), MeasureKind::point_b, "point")
-                                 : look_at(subject, counts_of(&ContactTally::point), MeasureKind::point, "point");
+  LevelFindings found =
+      has_pair
+          ? look_at(subject, counts_of(&ContactTally::point_b), MeasureKind::point_b, "point", "a point to compare")
+          : look_at(subject, counts_of(&ContactTally::point), MeasureKind::point, "point", "a point to compare");
   const auto check = [&](auto member, const char* what, const char* shown) {
     for_each_part(subject, member, [&](const std::string& family, const auto& tally) {
       add_worst(subject, found, family, tally.largest_error.best(), most, what, " of the scene", shown);

@@ -188,6 +188,11 @@ TEST(LookedAt, AMarginIsOfQueriesThatAreNotPromised) {
   const LevelOutcome found = judged_at(record, "keeps-margin");
   EXPECT_EQ(found.state, LevelState::met);
   EXPECT_THAT(found.text(), HasSubstr("5,800 of 5,800 queries apart by no more than its margin looked at"));
+  EXPECT_THAT(found.leaves_out, testing::Not(HasSubstr("outside its limits")));
+  for (const char* family : {"lattice", "tangent"}) put_outside(verdict_of(record, family), 0, 0, family[0] == 'l');
+  verdict_of(record, "lattice")["outside_limits"]["false_contact"] = 1;
+  EXPECT_EQ(judged_at(record, "keeps-margin").reason,
+            "1 generated query is apart by no more than its margin, and 59 are needed");
 }
 
 TEST(LookedAt, AFamilyWhollyOutsideIsNamedInTheFirstSentence) {

@@ -118,7 +118,9 @@ class Holder {
     const HeldPromise* then = find_promise(ratchet_.promises, now.kernel, now.precision);
     if (then == nullptr) then = find_promise(ratchet_.promises, id, now.precision);
     if (then == nullptr) return;
-    if (const auto hidden = hidden_since(then->shows, now.shows); !hidden.empty()) {
+    const PromiseChange change = change_of(then->promise, now.promise);
+    const bool are_same = change.is_none() && then->queries == now.queries;
+    if (const auto hidden = hidden_since(then->shows, now.shows, are_same); !hidden.empty()) {
       std::vector<std::string> texts;
       for (const Hidden& one : hidden) {
         texts.push_back(one.text);
@@ -129,8 +131,7 @@ class Holder {
                            then->line),
                lesser_severity);
     }
-    const PromiseChange change = change_of(then->promise, now.promise);
-    if (change.is_none() && then->queries == now.queries) return;
+    if (are_same) return;
     apart_.emplace(id, now.precision);
     const std::string where = fmt::format("{} of its queries then, {} now ({}:{})", thousands(then->queries),
                                           thousands(now.queries), ratchet_.name, then->line);
@@ -166,8 +167,9 @@ class Holder {
       accept(entry.key, entry.figure, entry.waiver);
     } else if (!is_finding(entry) && !shown_.contains(fingerprint(entry.key))) {
       not_shown_[{kernel, precision}].push_back(&entry);
-      if (!is_hidden(kernel, precision, place_of(entry))) accept(entry.key, entry.figure, entry.waiver);
-    } else if (is_hidden(kernel, precision, place_of(entry))) {
+      if (!is_hidden(ids_.at(kernel), precision, place_of(entry), member_of(entry)))
+        accept(entry.key, entry.figure, entry.waiver);
+    } else if (is_hidden(ids_.at(kernel), precision, place_of(entry), member_of(entry))) {
       return;  // over other answers than what is accepted
     } else if (!apart_.contains({ids_.at(kernel), precision}) || is_finding(entry)) {
       outcome_.better.push_back(fmt::format("{}: 0, accepted is {} ({}:{})", cell_text(entry.key), entry.figure.dump(),
@@ -178,11 +180,18 @@ class Holder {
     const std::string name = entry.key[3];
     return name.substr(0, name.rfind('.'));
   }
+  static std::string member_of(const RatchetEntry& entry) {
+    const std::string name = entry.key[3];
+    return name.substr(name.rfind('.') + 1);
+  }
   static bool is_finding(const RatchetEntry& entry) { return place_of(entry) == "finding"; }
 
   // Whether a kernel shows nothing of a place any more, or not beside the same answers: nothing is better there.
-  bool is_hidden(const std::string& kernel, const std::string& precision, const std::string& place) const {
-    return hidden_.contains({ids_.at(kernel), precision, std::string(shown_of_place(place))});
+  bool is_hidden(const std::string& id, const std::string& precision, const std::string& place,
+                 std::string_view member) const {
+    return std::ranges::any_of(shown_of(place, member), [&](std::string_view shown) {
+      return hidden_.contains({id, precision, std::string(shown)});
+    });
   }
 
   // Ratchets of runs with two plug-ins of one name have the kernel by its id.
@@ -216,7 +225,7 @@ class Holder {
                                                               : cell.figure.get<double>() / accepted.get<double>();
       failures_.push_back({failure_of(key, cell.kernel, text), severity(cell), excess});
       accept(key, cell.figure, open_waiver());
-    } else if (is_less(cell.figure, accepted) && is_hidden(cell.identity, cell.precision, cell.place)) {
+    } else if (is_less(cell.figure, accepted) && is_hidden(cell.kernel, cell.precision, cell.place, cell.member)) {
       accept(key, cell.figure, open_waiver());  // over other answers than what is accepted
     } else {
       if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);

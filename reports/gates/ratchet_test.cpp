@@ -329,7 +329,7 @@ TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
                         "kernel: k\npromise: binary32 queries=9 touching=contact "
                         "time=9@a,0 feature=9@a,0 normal=9@a,0 point=9@a,0\n"
                         "accept: never mk why\nfamily: binary32 f\n";
-  EXPECT_THAT(refused_with("axiscert-ratchet/5 p\n" + lines), HasSubstr("it shows 'time', which is none of: "));
+  EXPECT_THAT(refused_with("axiscert-ratchet/5 p\n" + lines), HasSubstr("shows 'time', which is none of: "));
   EXPECT_THAT(refused_with("axiscert-ratchet/5 p\n" + replaced(lines, "time=9@a,0 ", "") + "time late=5\n"),
               HasSubstr("'time' is no place of a figure"));
   EXPECT_THAT(refused_with(motions + lines + "time tardy=5\n"),

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -23,7 +24,7 @@ namespace axiscert {
 namespace {
 
 constexpr std::string_view ratchet_schema = "axiscert-ratchet/5", any_ratchet = "axiscert-ratchet/";
-constexpr std::string_view queries_word = "queries=", shows_word = "shows=";
+constexpr std::string_view queries_word = "queries=";
 constexpr std::string_view open_expiry = "EXPIRY", open_owner = "OWNER", open_reason = "REASON";
 
 std::string word(const std::string& text) {
@@ -31,10 +32,6 @@ std::string word(const std::string& text) {
       !text.empty() && text[0] != '#' &&
       std::all_of(text.begin(), text.end(), [](unsigned char c) { return c > 0x20 && c < 0x7f && c != '"'; });
   return needs_no_quotes ? text : Json(text).dump();
-}
-
-std::string side_word(const GivenBeside& side) {
-  return side.given == 0 ? "0" : fmt::format("{}@{}", side.given, side.which);
 }
 
 struct Line {
@@ -137,16 +134,13 @@ class Lines {
       line.fail(fmt::format("{} {} has two promises, the first in line {}", *kernel_, words[1], other->line));
     const Json queries = Json::parse(words[2].substr(queries_word.size()), nullptr, false);
     if (!queries.is_number_unsigned()) line.fail(fmt::format("'{}' is not queries=NUMBER", words[2]));
-    std::vector<std::string> promised;
-    std::vector<Shown> shows;
-    for (const std::string& word : std::span(words).subspan(3)) {
-      if (word.starts_with(shows_word)) add_exposures(word, shows, line);
-      else if (is_shown_number(word.substr(0, word.find('=')))) add_number(word, shows, line);
-      else promised.push_back(word);
-    }
-    require_known(shows, line);
     Promise promise;
+    std::vector<Shown> shows;
     try {
+      std::vector<std::string> promised;
+      for (const std::string& word : std::span(words).subspan(3)) {
+        if (!add_shown_word(word, known_predicate(), shows)) promised.push_back(word);
+      }
       promise = promise_of_words(promised);
     } catch (const Error& wrong) {
       line.fail(wrong.what());
@@ -200,50 +194,6 @@ class Lines {
     const auto all = predicates();
     const auto found = std::ranges::find(all, std::string_view(ratchet_.predicate), &Predicate::id);
     return found == all.end() ? nullptr : *found;
-  }
-
-  // "shows=comparisons,sides".
-  static void add_exposures(const std::string& word, std::vector<Shown>& shows, const Line& line) {
-    for (std::size_t at = shows_word.size(); at <= word.size();) {
-      const std::size_t end = std::min(word.find(',', at), word.size());
-      const std::string name = word.substr(at, end - at);
-      if (is_shown_number(name))
-        line.fail(fmt::format("shows= has '{}', and a number is a word of its own: {}=ANSWERS@MARK,ANSWERS@MARK", name,
-                              name));
-      shows.push_back({name});
-      at = end + 1;
-    }
-  }
-  // "separation=600@1f3c9a2b4d5e6f70,0": the answers beside contacts, and beside answers that say separated.
-  static void add_number(const std::string& word, std::vector<Shown>& shows, const Line& line) {
-    const std::size_t equals = word.find('='), comma = word.find(',');
-    const auto side = [&](const std::string& text) {
-      const std::size_t at = std::min(text.find('@'), text.size());
-      const Json given = Json::parse(text.substr(0, at), nullptr, false);
-      GivenBeside read{0, given.is_number_unsigned() ? given.get<std::uint64_t>() : 0, text.substr(at)};
-      if (!given.is_number_unsigned() || (read.given == 0) != read.which.empty() || read.which == "@") {
-        line.fail(
-            fmt::format("'{}' is not NAME=ANSWERS@MARK,ANSWERS@MARK, beside contacts and beside answers that say "
-                        "separated, or 0 for none",
-                        word));
-      }
-      read.which.erase(0, 1);
-      return read;
-    };
-    if (comma == word.npos || equals > comma)
-      line.fail(fmt::format("'{}' is not NAME=ANSWERS@MARK,ANSWERS@MARK", word));
-    shows.push_back(
-        {word.substr(0, equals), {{side(word.substr(equals + 1, comma - equals - 1)), side(word.substr(comma + 1))}}});
-  }
-  void require_known(const std::vector<Shown>& shows, const Line& line) const {
-    const Predicate* const predicate = known_predicate();
-    const std::vector<std::string> known = predicate == nullptr ? std::vector<std::string>() : shown_names(*predicate);
-    for (const Shown& one : shows) {
-      if (predicate != nullptr && std::ranges::find(known, one.name) == known.end())
-        line.fail(fmt::format("it shows '{}', which is none of: {}", one.name, fmt::join(known, ", ")));
-      if (std::ranges::count(shows, one.name, &Shown::name) > 1)
-        line.fail(fmt::format("it shows '{}' twice", one.name));
-    }
   }
 
   void check_place(const std::string& place, const Line& line) const {
@@ -324,9 +274,9 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
           fmt::format("a figure of {} {} without a promise: of it; take that line too from the ratchet.txt of a run",
                       kernel, precision));
     }
-    const std::string_view shown = shown_of_place(std::string_view(place).substr(0, place.rfind('.')));
-    if ((is_shown_number(shown) || shown == "comparisons") &&
-        std::ranges::find(promise->shows, shown, &Shown::name) == promise->shows.end()) {
+    const std::size_t dot = place.rfind('.');
+    for (const std::string_view shown : shown_of(place.substr(0, dot), std::string_view(place).substr(dot + 1))) {
+      if (std::ranges::find(promise->shows, shown, &Shown::name) != promise->shows.end()) continue;
       Line{name, entry.line}.fail(
           fmt::format("a figure of {} {}, and its promise: in line {} does not show {}; take that line from the "
                       "ratchet.txt of a run",
@@ -364,13 +314,8 @@ std::string ratchet_file(const std::string& plan, const Predicate& predicate, co
   std::string kernel;
   for (const HeldPromise& held : promises) {
     if (held.kernel != kernel) text += kernel_line(kernel = held.kernel) + "\n";
-    std::vector<std::string> words = words_of_promise(held.promise), exposures, numbers;
-    for (const auto& [name, beside] : held.shows) {
-      if (!beside) exposures.push_back(name);
-      else numbers.push_back(fmt::format("{}={},{}", name, side_word((*beside)[0]), side_word((*beside)[1])));
-    }
-    if (!exposures.empty()) words.push_back(fmt::format("{}{}", shows_word, fmt::join(exposures, ",")));
-    words.insert(words.end(), numbers.begin(), numbers.end());
+    std::vector<std::string> words = words_of_promise(held.promise);
+    std::ranges::copy(words_of_shown(held.shows), std::back_inserter(words));
     text += fmt::format("promise: {} {}{} {}\n", held.precision, queries_word, held.queries, fmt::join(words, " "));
   }
 

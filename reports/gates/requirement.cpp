@@ -104,7 +104,9 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   }
   outcome.covers = found.covers + fewest_text(subject, found, asked) + asked_again_text(subject);
   outcome.leaves_out = std::move(found.leaves_out);
-  if (!outcome.outside.empty())
+  if (level_of(asked).looks_at != nullptr) {
+    // It looks at what is outside them.
+  } else if (!outcome.outside.empty())
     leave_out(outcome.leaves_out, fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
   else if (outcome.evidence.outside != 0)
     leave_out(outcome.leaves_out, fmt::format("{} queries outside its limits", thousands(outcome.evidence.outside)));

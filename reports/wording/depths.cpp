@@ -87,8 +87,7 @@ const char* contact_note(bool moves) {
            "is a "
            "normal to the other side. What is left of a penetration is a share of it, after a push by its exact depth "
            "along "
-           "the normal. Angles are in radians, errors of points shares of the scene. In brackets: on how many answers, "
-           "where not on all.";
+           "the normal. Angles are in radians, errors of points shares of the scene.";
   }
   return "Late is after the exact first contact, early before the best time, the greatest number that is not late. A "
          "tunnel "
@@ -98,7 +97,7 @@ const char* contact_note(bool moves) {
          "the "
          "way and a length in the queries' unit, the greatest of each. Angles are in radians, errors of points shares "
          "of "
-         "the scene. In brackets: on how many contacts, where not on all.";
+         "the scene.";
 }
 
 const std::vector<std::string>& contact_columns(bool moves) {

@@ -61,6 +61,8 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
   if (result.wrong_features != 0)
     text +=
         fmt::format("; {} feature{} wrong", thousands(result.wrong_features), result.wrong_features == 1 ? "" : "s");
+  if (result.separations == 0 && result.without_separation != 0)
+    text += fmt::format("; no separation beside {} answers", thousands(result.without_separation));
   if (result.separations != 0) {
     const std::string seldom =
         result.separations >= result.without_separation

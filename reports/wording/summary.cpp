@@ -65,14 +65,17 @@ std::optional<FamilyRecord> all_families(const KernelRecord& kernel) {
 }
 
 std::string interrupted_text(const Record& record) {
-  const auto sum = [](const CountsByFamily& counts) {
+  const PlanRecord& plan = record.plan;
+  const auto sum = [&](const CountsByFamily& counts) {
     std::uint64_t all = 0;
     for (const auto& [family, by_precision] : counts) {
-      for (const auto& [precision, count] : by_precision) all += count;
+      for (const Precision precision : plan.precisions) {
+        const auto count = by_precision.find(precision);
+        if (count != by_precision.end()) all += count->second;
+      }
     }
     return all;
   };
-  const PlanRecord& plan = record.plan;
   const std::string of = plan.planned ? fmt::format(" of {}", thousands(sum(*plan.planned))) : "";
   return fmt::format("interrupted after {}{} queries", thousands(sum(plan.trials)), of);
 }

@@ -112,7 +112,7 @@ const not_given = {none: 'not given'};
 function figure_of(contacts, part, member) {
   const told = contacts[part];
   if (!told) return null;
-  if (member === 'judged') return told.judged;
+  if (member === 'judged' || member === 'lengths') return told[member];
   const judged = part === 'consistency' ? contacts.separation.judged + told.positive + told.negative + told.missing
     : member === 'largest_length_error' ? told.lengths : member === 'flips' ? told.judged - told.nowhere : told.judged;
   return judged === 0 ? null : told[member];
@@ -131,7 +131,7 @@ function size_column(label, get, more) {
 function body_tables(data, told) {
   const size = (part, member, label, more) => size_column(label, (row) => figure_of(row.result.contacts, part, member), more);
   const points = ['point', 'point_a', 'point_b', 'points'].filter((part) => told.some((row) => row.result.contacts[part]));
-  const labels = {point: 'point off by', point_a: 'first point off by', point_b: 'second point off by', points: 'points and separation'};
+  const labels = {point: 'point', point_a: 'first point', point_b: 'second point', points: 'points and separation'};
   return el('div', 'contacts', el('h3', '', 'Contacts'), el('p', 'lead', data.contact_note), table('Separations', [
     ...family_columns(told),
     column.count('answers', (row) => row.result.contacts.answers),
@@ -151,8 +151,12 @@ function body_tables(data, told) {
     size('pushed', 'largest_left', 'left', {group: 'normal'}),
     of_part('normal', 'judged', 'count', 'compared', {group: 'normal'}),
     of_part('normal', 'largest_angle', 'amount', 'off by', {digits: 3, group: 'normal'}),
-    of_part('normal', 'largest_length_error', 'amount', 'its length', {digits: 3, group: 'normal'}),
-    ...points.map((part) => of_part(part, 'largest_error', 'amount', labels[part], {digits: 3})),
+    of_part('normal', 'lengths', 'count', 'with a length', {group: 'normal'}),
+    of_part('normal', 'largest_length_error', 'amount', 'its length off by', {digits: 3, group: 'normal'}),
+    ...points.flatMap((part) => [
+      of_part(part, 'judged', 'count', 'compared', {group: labels[part]}),
+      of_part(part, 'largest_error', 'amount', 'off by', {digits: 3, group: labels[part]}),
+    ]),
   ], told, grouped(data, told)));
 }
 
@@ -182,9 +186,12 @@ function motion_tables(data, rows) {
     time('no time', (t) => t.none + t.invalid, 'count', {alarm: 'bad'}),
   ], told, grouped(data, told)), table('Where contacts are, and missed contacts', [
     ...family_columns(told),
-    of('feature', 'wrong', 'count', 'wrong features', {alarm: 'warn'}),
-    of('normal', 'largest_angle', 'amount', 'normal off by', {digits: 3}),
-    of('point', 'largest_error', 'amount', 'point off by', {digits: 3}),
+    of('feature', 'judged', 'count', 'given', {group: 'feature'}),
+    of('feature', 'wrong', 'count', 'wrong', {group: 'feature', alarm: 'warn'}),
+    of('normal', 'judged', 'count', 'compared', {group: 'normal'}),
+    of('normal', 'largest_angle', 'amount', 'off by', {digits: 3, group: 'normal'}),
+    of('point', 'judged', 'count', 'compared', {group: 'point'}),
+    of('point', 'largest_error', 'amount', 'off by', {digits: 3, group: 'point'}),
     of('missed', 'through', 'count', 'through', {group: 'missed contacts', alarm: 'bad'}),
     column.text('tunnel', (row) => row.result.contacts.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
       cell: (td, value) => td.append(error_amount(value))}),
