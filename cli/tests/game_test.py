@@ -125,7 +125,7 @@ class Game(Case):
         self.assertEqual(of("exact in gen*").returncode, 0)
         self.assertIn("covers 2,000 queries of general", of("exact in gen*").stdout)
         for level, says in (("exact in latice", "no family of this run matches 'latice'; did you mean 'lattice'?"),
-                            ("exact in", "unknown requirement 'exact in'"),
+                            ("exact in", "requirement 'exact in': name families after `in`"),
                             ("depth=1furlong", "or a length in m, cm, mm, um, km, in, ft, as in depth=1mm")):
             refused = of(level)
             self.assertEqual((refused.returncode, says in refused.stderr), (2, True), refused.stderr)

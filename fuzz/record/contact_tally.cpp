@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace axiscert {
@@ -168,11 +169,16 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
 }
 
 void AnswerSet::add(std::uint64_t position) {
-  // The mixing of splitmix64: each position has 53 bits of its own.
+  // The mixing of splitmix64: each position has 64 bits of its own.
   std::uint64_t x = position + 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  mark ^= (x ^ (x >> 31)) >> 11;
+  mark ^= x ^ (x >> 31);
+}
+AnswerSet::Written AnswerSet::written() const { return mark == 0 ? Written() : Written(fmt::format("{:x}", mark)); }
+void AnswerSet::take(const Written& written) {
+  mark = 0;
+  std::from_chars(written.data(), written.data() + written.size(), mark, 16);
 }
 
 void count_given(ContactTally& tally, std::uint64_t position, const Predicate& predicate, Verdict said,
@@ -181,8 +187,12 @@ void count_given(ContactTally& tally, std::uint64_t position, const Predicate& p
   tally.separations += !says_contact;
   for_each_number(tally, [&](MeasureKind kind, auto& part) {
     if (!gives_measure(predicate, measures.size(), kind)) return;
+    const auto is_number = [&](double x) {
+      if (kind == MeasureKind::feature) return !std::isnan(x);  // an infinite one names no part, and is judged
+      return std::isfinite(x) && (kind != MeasureKind::time || (x >= 0 && x <= 1));
+    };
     for (std::size_t k = 0; k < measures.size(); ++k) {
-      if (predicate.measures[k].kind == kind && std::isnan(measures[k])) return;
+      if (predicate.measures[k].kind == kind && !is_number(measures[k])) return;
     }
     GivenTally& given = part->given;
     ++(says_contact ? given.contacts : given.separations);

@@ -9,6 +9,7 @@
 #include "exact/judge/contact_judgement.h"
 #include "fuzz/fields/field.h"
 #include "fuzz/fields/sparse.h"
+#include "fuzz/fields/values.h"
 #include "fuzz/record/decades.h"
 #include "fuzz/record/leaders.h"
 #include "kernel/predicate.h"
@@ -76,17 +77,22 @@ struct TunnelTally {
   }
 };
 
-// Which of some answers, as a mark that two sets share only where they are equal, but for one case in 2^53.
+// Which of some answers, as a mark that two sets share only where they are equal, but for one case in 2^64.
+struct MarkRule {
+  static constexpr std::size_t longest = 16;
+  static constexpr std::string_view pattern = "^([1-9a-f][0-9a-f]*)?$";
+  static constexpr bool may_be_empty = true;
+};
 struct AnswerSet {
-  std::uint64_t mark = 0;  // less than 2^53
+  std::uint64_t mark = 0;
 
   void add(std::uint64_t position);
   void merge(const AnswerSet& other) { mark ^= other.mark; }
   void put(auto& encoder) const { encoder.put(mark); }
   void get(auto& decoder) { decoder.get(mark); }
-  using Written = std::uint64_t;
-  Written written() const { return mark; }
-  void take(std::uint64_t written) { mark = written; }
+  using Written = Text<MarkRule>;  // in hexadecimal; empty: none
+  Written written() const;
+  void take(const Written& written);
 };
 
 // Which answers have a number, by the verdict that they say.
@@ -94,10 +100,14 @@ struct GivenTally {
   std::uint64_t contacts = 0, separations = 0;
   AnswerSet which_contacts, which_separations;
 
-  static constexpr std::string_view about = "The answers that have the number, whether or not it can be judged.";
+  static constexpr std::string_view about =
+      "The answers that have the number as one that is finite, of a time one from 0 to 1; whether or not there is an "
+      "exact "
+      "one.";
   AXISCERT_FIELDS(GivenTally, AXISCERT_FIELD(contacts, "Those that say contact.", "answers"),
                   AXISCERT_FIELD(separations, "Those that say separated.", "answers"),
-                  AXISCERT_FIELD(which_contacts, "A mark of which: another mark, other answers.", "mark"),
+                  AXISCERT_FIELD(which_contacts, "A mark of which, in hexadecimal: another mark, other answers.",
+                                 "mark"),
                   AXISCERT_FIELD(which_separations, "The same of those that say separated.", "mark"))
 };
 

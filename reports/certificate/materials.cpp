@@ -116,6 +116,10 @@ Json whole_counts(const Json& none, const Json& sparse, std::uint64_t most, cons
     if (value < 0) throw NotValid(fmt::format("{} is {}, below 0", where, shown(sparse.dump())));
     return value.get<double>();
   }
+  if (none.is_string()) {  // a mark of answers
+    if (!sparse.is_string()) throw NotValid(fmt::format("{} is {}, not a text", where, shown(sparse.dump())));
+    return sparse;
+  }
   const bool is_count = none.is_number_integer() && sparse.is_number_integer();
   if (!is_count || sparse < 0 || sparse > most) {
     throw NotValid(fmt::format("{} is {}: a count there is from 0 to {}", where, shown(sparse.dump()), most));

@@ -186,10 +186,10 @@ class Comparer {
       if (other == nullptr) continue;
       const bool are_same = has_same_queries(family, then.precision);
       for (const Hidden& hidden : hidden_since(shown_in(result), shown_in(*other), are_same)) {
-        if (hidden.is_gone) continue;  // which is said of the kernel
+        if (hidden.kind == Hiding::gone) continue;  // which is said of the kernel
         hidden_.insert({kernel.before, precision, family, hidden.name});
         note({fmt::format("{} {} on {}: {}", kernel.before, precision, family, hidden.name), hidden.text,
-              kernel.names(), family, Absence::fails});
+              kernel.names(), family, hidden.kind == Hiding::verdicts ? Absence::verdicts : Absence::fails});
       }
     }
   }

@@ -109,7 +109,7 @@ InstrumentTable promises_table(const RunComparison& comparison) {
 // Those that fail come first.
 InstrumentTable absent_table(const RunComparison& comparison) {
   InstrumentTable table{"NOT COMPARED", {"what", "why", "exit code"}, {}};
-  constexpr EnumArray<Absence, const char*> codes = {"1", "allowed", "no fault", "no fault"};
+  constexpr EnumArray<Absence, const char*> codes = {"1", "allowed", "no fault", "no fault", "no fault"};
   for (const Absence absence : enumerators<Absence>) {
     for (const NotCompared& absent : comparison.not_compared) {
       if (absent.absence == absence) table.rows.push_back({absent.what, absent.why, codes[absence]});

@@ -14,11 +14,13 @@ enum class Absence {
   fails,     // OLD has it, or both have it and counted it over other queries
   allowed,   // the same, which the user allows by name
   only_new,  // no fault
-  empty      // neither run has a query of it that the kernel promises to answer: no fault
+  empty,     // neither run has a query of it that the kernel promises to answer: no fault
+  verdicts   // a number whose answers are others, since verdicts changed: no fault
 };
 template <>
-inline constexpr std::size_t enum_count<Absence> = 4;
-inline constexpr EnumArray<Absence, std::string_view> absence_names = {"fails", "allowed", "only in NEW", "empty"};
+inline constexpr std::size_t enum_count<Absence> = 5;
+inline constexpr EnumArray<Absence, std::string_view> absence_names = {"fails", "allowed", "only in NEW", "empty",
+                                                                       "with the verdicts"};
 constexpr std::string_view name(Absence absence) { return absence_names[absence]; }
 
 struct NotCompared {
@@ -35,8 +37,8 @@ struct NotCompared {
       AXISCERT_FIELD(why, "The reason."), journalled(&Of::kernels), journalled(&Of::family),
       field(&Of::absence,
             {"state",
-             "fails: exit 1. allowed: by --allow-not-compared. only in NEW, and empty (no promised query in either "
-             "run): no fault."}))
+             "fails: exit 1. allowed: by --allow-not-compared. only in NEW, empty (no promised query in either "
+             "run) and with the verdicts (a number whose answers are others, since verdicts changed): no fault."}))
 };
 
 // Allows everything that one of `names` names: by its `what`, by its kernel or by its family. Throws Error where a name

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
 #include <utility>
 
 #include "fuzz/text/json.h"
@@ -31,12 +33,22 @@ const Shown* find_shown(const std::vector<Shown>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-// Whether answers that had a number have it no more, as far as it can be told.
-bool is_hidden(const GivenBeside& then, const GivenBeside& now, bool are_same_queries) {
-  if (then.given == 0 || now.is_all()) return false;
-  if (are_same_queries) return then.which != now.which;
-  const bool are_many = std::min(then.answers, now.answers) >= least_looked_at;
-  return are_many && then.is_all() && 2 * now.given < now.answers;
+std::uint64_t mark_of_both(const std::array<GivenBeside, 2>& beside) { return beside[0].mark ^ beside[1].mark; }
+
+// What became of a number beside the answers of one verdict.
+std::optional<Hiding> hiding_of(const GivenBeside& then, const GivenBeside& now, bool are_same_queries) {
+  if (then.given == 0) return std::nullopt;
+  if (!are_same_queries) {
+    const bool are_many = std::min(then.answers, now.answers) >= least_looked_at;
+    return are_many && then.is_all() && 2 * now.given < now.answers ? std::optional(Hiding::others) : std::nullopt;
+  }
+  if (then.mark == now.mark) return std::nullopt;
+  return now.is_all() ? Hiding::verdicts : Hiding::others;
+}
+
+// The mark of some answers of a family, so that those of families add up.
+std::uint64_t mark_in(const std::string& family, std::uint64_t mark) {
+  return std::rotl(mark, static_cast<int>(std::stoul(short_sha256(family).substr(0, 2), nullptr, 16) % 64));
 }
 
 }  // namespace
@@ -46,11 +58,9 @@ std::vector<Shown> shown_in(const FamilyRecord& result) {
   if (!result.contacts) return all;
   const std::uint64_t separations = result.contacts->separations, contacts = result.contacts->answers - separations;
   tell_numbers(*result.contacts, [&](std::string_view name, const GivenTally& given) {
-    const auto mark = [](const AnswerSet& set) { return fmt::format("{:x}", set.mark); };
-    all.push_back(
-        {std::string(name),
-         {{GivenBeside{contacts, given.contacts, given.contacts == 0 ? "" : mark(given.which_contacts)},
-           GivenBeside{separations, given.separations, given.separations == 0 ? "" : mark(given.which_separations)}}}});
+    all.push_back({std::string(name),
+                   {{GivenBeside{contacts, given.contacts, given.which_contacts.mark},
+                     GivenBeside{separations, given.separations, given.which_separations.mark}}}});
   });
   return all;
 }
@@ -69,13 +79,9 @@ std::vector<Shown> shown_in(const KernelRecord& entry) {
         GivenBeside& sum = (*known->beside)[side];
         sum.answers += here.answers;
         sum.given += here.given;
-        if (here.given != 0) sum.which += fmt::format("{}:{};", family, here.which);
+        sum.mark ^= mark_in(family, here.mark);
       }
     }
-  }
-  for (Shown& number : all) {
-    if (!number.beside) continue;
-    for (GivenBeside& side : *number.beside) side.which = side.given == 0 ? "" : short_sha256(side.which);
   }
   return all;
 }
@@ -110,17 +116,21 @@ std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::ve
   for (const Shown& then : before) {
     const Shown* const here = find_shown(now, then.name);
     if (here == nullptr || then.beside.has_value() != here->beside.has_value()) {
-      hidden.push_back({then.name, fmt::format("no {} any more", then.name), true});
+      hidden.push_back({then.name, fmt::format("no {} any more", then.name), Hiding::gone});
       continue;
     }
-    for (std::size_t side = 0; then.beside && side < std::size(said); ++side) {
+    if (!then.beside || (are_same_queries && mark_of_both(*then.beside) == mark_of_both(*here->beside))) continue;
+    for (std::size_t side = 0; side < std::size(said); ++side) {
       const GivenBeside &old = (*then.beside)[side], &fresh = (*here->beside)[side];
-      if (!is_hidden(old, fresh, are_same_queries)) continue;
-      const std::string were = !are_same_queries          ? "all before"
-                               : old.given <= fresh.given ? fmt::format("and {} others before", thousands(old.given))
-                                                          : thousands(old.given) + " before";
-      hidden.push_back({then.name, fmt::format("{} beside {} of {} {}, {}", then.name, thousands(fresh.given),
-                                               thousands(fresh.answers), said[side], were)});
+      const std::optional<Hiding> hiding = hiding_of(old, fresh, are_same_queries);
+      if (!hiding) continue;
+      const std::string were = are_same_queries ? thousands(old.given) : "all";
+      const bool is_unclear = *hiding == Hiding::others && are_same_queries && old.given <= fresh.given;
+      hidden.push_back({then.name,
+                        fmt::format("{} beside {} of {} {}, {} before{}", then.name, thousands(fresh.given),
+                                    thousands(fresh.answers), said[side], were,
+                                    is_unclear ? ", and it cannot be told whether these are among them" : ""),
+                        *hiding});
     }
   }
   return hidden;
@@ -140,8 +150,12 @@ GivenBeside side_of(const std::string& text, const std::string& word) {
   const std::size_t at = std::min(text.find('@'), text.size());
   const Json given = Json::parse(text.substr(0, at), nullptr, false);
   if (!given.is_number_unsigned()) fail_number(word);
-  const GivenBeside side{0, given.get<std::uint64_t>(), at == text.size() ? "" : text.substr(at + 1)};
-  if ((side.given == 0) != (at == text.size()) || (side.given != 0 && side.which.empty())) fail_number(word);
+  GivenBeside side{0, given.get<std::uint64_t>()};
+  if ((side.given == 0) != (at == text.size())) fail_number(word);
+  if (side.given == 0) return side;
+  const char* const end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data() + at + 1, end, side.mark, 16);
+  if (error != std::errc() || read != end) fail_number(word);
   return side;
 }
 
@@ -150,7 +164,7 @@ GivenBeside side_of(const std::string& text, const std::string& word) {
 std::vector<std::string> words_of_shown(const std::vector<Shown>& shown) {
   std::vector<std::string> exposures, words;
   const auto side = [](const GivenBeside& of) {
-    return of.given == 0 ? "0" : fmt::format("{}@{}", of.given, of.which);
+    return of.given == 0 ? "0" : fmt::format("{}@{:x}", of.given, of.mark);
   };
   for (const auto& [name, beside] : shown) {
     if (!beside) exposures.push_back(name);

@@ -15,7 +15,7 @@ namespace axiscert {
 // The answers that say one verdict, and those of them that have a number.
 struct GivenBeside {
   std::uint64_t answers = 0, given = 0;
-  std::string which = {};  // a mark of the latter: another mark, other answers; empty where there is none
+  std::uint64_t mark = 0;  // of the latter: another mark, other answers; the marks of two sets that share none add by ^
 
   bool is_all() const { return given == answers; }
 };
@@ -33,14 +33,18 @@ std::vector<Shown> shown_in(const KernelRecord& entry);
 // What has to be shown for a figure of a place; nothing for one of verdicts.
 std::vector<std::string_view> shown_of(const std::string& place, std::string_view member);
 
+enum class Hiding {
+  gone,      // it is not shown any more
+  others,    // other answers have it, or fewer
+  verdicts,  // the same, since verdicts changed: it stands beside all contacts now, or all that say separated. No fault
+};
 struct Hidden {
   std::string name;
-  std::string text;      // "separation beside 215 of 600 contacts, 430 before"
-  bool is_gone = false;  // beside all answers
+  std::string text;  // "separation beside 215 of 600 contacts, 430 before"
+  Hiding kind;
 };
-// What was shown and is shown no more, or not beside all of the answers that had it. Where a number stands beside all
-// contacts, or beside all that say separated, it may be that verdicts changed, which is told of them. Over other
-// queries it is told of what stood beside all, and stands not even beside half.
+// What was shown and is shown no more, or not beside the same answers: no figure of it is better. Over other queries it
+// is told of what stood beside all, and stands not even beside half.
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
                                  bool are_same_queries = true);
 

@@ -23,8 +23,9 @@
 namespace axiscert {
 namespace {
 
-// The kinds of cells by what they count: verdicts, a comparison, or the times of a predicate of motions.
-enum class CountOf { verdict, comparison, time };
+// The kinds of cells by what they count: verdicts, a comparison, the times of a predicate of motions, or another
+// number.
+enum class CountOf { verdict, comparison, time, number };
 
 struct Rule {
   const char *id, *member;  // `member`: the cell's member that the rule is about
@@ -51,6 +52,12 @@ constexpr Rule rules[] = {
      "The time is later than the first contact: what moves so far goes in."},
     {"early-time", "early", CountOf::time, "note", "The time is earlier than the best number of the precision."},
     {"no-time", "none", CountOf::time, "error", "A contact that is found has no time, though the kernel gives times."},
+    {"wrong-feature", "wrong", CountOf::number, "warning", "The feature is not one that is nearest."},
+    {"flip", "flips", CountOf::number, "error", "The normal goes to the other side."},
+    {"contact-apart", "positive", CountOf::number, "warning", "A contact has a separation above 0."},
+    {"separated-inside", "negative", CountOf::number, "warning", "An answer `separated` has a separation below 0."},
+    {"contradiction", "missing", CountOf::number, "note", "An answer has some numbers, and not this other one."},
+    {"no-number", "none", CountOf::number, "note", "An answer lacks this number, though there is one."},
     {"invalid-time", "invalid", CountOf::time, "error", "The time is not a number from 0 to 1."},
 };
 constexpr Rule ratchet_rule = {
@@ -62,7 +69,8 @@ constexpr Rule finding_rule = {"plug-in", "", CountOf::verdict, "error", "A plug
 
 CountOf counted_in(const Cell& cell) {
   if (cell.place == "verdict") return CountOf::verdict;
-  return cell.place == "time" ? CountOf::time : CountOf::comparison;
+  if (cell.place == "time") return CountOf::time;
+  return cell.is_of_contacts() ? CountOf::number : CountOf::comparison;
 }
 
 const Rule* rule_of(const Cell& cell) {
@@ -70,7 +78,7 @@ const Rule* rule_of(const Cell& cell) {
   for (const Rule& rule : rules) {
     if (cell.member == rule.member && rule.of == counted_in(cell)) return &rule;
   }
-  return nullptr;  // a maximum, a feature, or a tunnel: the ratchet's and the levels'
+  return nullptr;  // a maximum or a tunnel: the ratchet's and the levels'
 }
 
 Json rule_json(const Rule& rule) {
@@ -131,7 +139,9 @@ class Log {
     const auto witnesses = witnesses_.of(cell);
     const WitnessRecord* const worst = deepest(witnesses);
     const std::string where = fmt::format("{} {} on {}, {}", cell.kernel, cell.precision, cell.family, cell.place);
-    const char* const among = rule.of == CountOf::time ? "contacts found" : "queries";
+    const char* const among = rule.of == CountOf::time     ? "contacts found"
+                              : rule.of == CountOf::number ? "answers"
+                                                           : "queries";
     std::string message = fmt::format("{}: {} of {} {}. {}", where, thousands(cell.count()), thousands(cell.of.trials),
                                       among, rule.sentence);
     if (cell.kind == Cell::Kind::finding) message = finding_message(cell);

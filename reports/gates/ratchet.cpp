@@ -120,14 +120,16 @@ class Holder {
     if (then == nullptr) return;
     const PromiseChange change = change_of(then->promise, now.promise);
     const bool are_same = change.is_none() && then->queries == now.queries;
-    if (const auto hidden = hidden_since(then->shows, now.shows, are_same); !hidden.empty()) {
-      std::vector<std::string> texts;
-      for (const Hidden& one : hidden) {
-        texts.push_back(one.text);
-        hidden_.insert({id, now.precision, one.name});
-      }
+    std::vector<std::string> less;
+    for (const Hidden& hidden : hidden_since(then->shows, now.shows, are_same)) {
+      hidden_.insert({id, now.precision, hidden.name});
+      if (hidden.kind != Hiding::verdicts) less.push_back(hidden.text);
+      else outcome_.changed.push_back(fmt::format("{}: {}, as verdicts changed", who, hidden.text));
+    }
+    if (!less.empty()) {
+      less_.emplace(id, now.precision);
       fail_all(now, id,
-               fmt::format("{} shows less than the ratchet: {} ({}:{})", who, fmt::join(texts, "; "), ratchet_.name,
+               fmt::format("{} shows less than the ratchet: {} ({}:{})", who, fmt::join(less, "; "), ratchet_.name,
                            then->line),
                lesser_severity);
     }
@@ -225,10 +227,12 @@ class Holder {
                                                               : cell.figure.get<double>() / accepted.get<double>();
       failures_.push_back({failure_of(key, cell.kernel, text), severity(cell), excess});
       accept(key, cell.figure, open_waiver());
-    } else if (is_less(cell.figure, accepted) && is_hidden(cell.kernel, cell.precision, cell.place, cell.member)) {
+    } else if (is_less(cell.figure, accepted) && less_.contains({cell.kernel, cell.precision}) &&
+               is_hidden(cell.kernel, cell.precision, cell.place, cell.member)) {
       accept(key, cell.figure, open_waiver());  // over other answers than what is accepted
     } else {
-      if (is_less(cell.figure, accepted)) outcome_.better.push_back(text);
+      const bool is_hidden_too = is_hidden(cell.kernel, cell.precision, cell.place, cell.member);
+      if (is_less(cell.figure, accepted) && !is_hidden_too) outcome_.better.push_back(text);
       accept(key, cell.figure, entry->waiver);
       if (!is_expired(*entry)) held_by(entry->waiver).push_back(fingerprint(key));
     }
@@ -319,12 +323,12 @@ class Holder {
   const Record& record_;
   Identities identities_;
   std::string today_;
-  std::map<std::string, std::string> ids_;                // of the record, by identity and by id
-  std::map<std::string, Digests> digests_;                // by identity
-  std::set<std::pair<std::string, std::string>> judged_;  // ids and precisions
-  std::set<std::pair<std::string, std::string>> apart_;   // of these, those that promise other things now
-  std::set<std::array<std::string, 3>> hidden_;           // and what they show less of
-  std::set<std::pair<std::string, std::string>> told_;    // as keys have them: those that fail as a whole
+  std::map<std::string, std::string> ids_;                      // of the record, by identity and by id
+  std::map<std::string, Digests> digests_;                      // by identity
+  std::set<std::pair<std::string, std::string>> judged_;        // ids and precisions
+  std::set<std::pair<std::string, std::string>> apart_, less_;  // of these, that promise other things, or show less
+  std::set<std::array<std::string, 3>> hidden_;                 // and what they show less of
+  std::set<std::pair<std::string, std::string>> told_;          // as keys have them: those that fail as a whole
   std::set<std::string> met_;
   std::set<std::string> shown_;  // fingerprints of the record's cells, zeros among them
   std::map<std::array<std::string, 2>, Group> not_checked_, not_shown_;

@@ -304,7 +304,7 @@ TEST(RatchetOfContacts, OneLateTimeMoreFailsAndOneLessIsBetter) {
 TEST(RatchetOfContacts, TimesThatAreNotShownAnyMoreAreLess) {
   Json silent = contacts(5, 0.25, 0);
   silent["time"]["given"]["contacts"] = 400;
-  silent["time"]["given"]["which_contacts"] = 7;
+  silent["time"]["given"]["which_contacts"] = "7";
   const RatchetOutcome less = held(silent);
   ASSERT_EQ(less.failures.size(), 1u);
   EXPECT_THAT(less.failures[0].text, HasSubstr("shows less than the ratchet: time beside 1,300 of 1,800 contacts, "));

@@ -221,6 +221,11 @@ class Lines {
   std::optional<std::pair<std::string, std::string>> family_;  // precision and family
 };
 
+// Whether a figure, PLACE.MEMBER, counts answers without a number.
+bool is_about_silence(const std::string& figure) {
+  return figure.ends_with(".none") || figure.ends_with(".missing") || figure.ends_with(".invalid");
+}
+
 }  // namespace
 
 const Waiver& open_waiver() {
@@ -276,7 +281,10 @@ Ratchet parse_ratchet(std::string_view text, const std::string& name) {
     }
     const std::size_t dot = place.rfind('.');
     for (const std::string_view shown : shown_of(place.substr(0, dot), std::string_view(place).substr(dot + 1))) {
-      if (std::ranges::find(promise->shows, shown, &Shown::name) != promise->shows.end()) continue;
+      const auto found = std::ranges::find(promise->shows, shown, &Shown::name);
+      const bool is_shown = found != promise->shows.end() &&
+                            (!found->beside || (*found->beside)[0].given + (*found->beside)[1].given != 0);
+      if (is_shown || is_about_silence(place)) continue;
       Line{name, entry.line}.fail(
           fmt::format("a figure of {} {}, and its promise: in line {} does not show {}; take that line from the "
                       "ratchet.txt of a run",

@@ -141,7 +141,8 @@ inline Json without_errors(Json record) {
 
 // A number beside so many contacts, the same ones in each record, and beside no other answer.
 inline Json given_beside(std::uint64_t contacts) {
-  return {{"contacts", contacts}, {"separations", 0}, {"which_contacts", contacts}, {"which_separations", 0}};
+  const std::string which = contacts == 0 ? "" : fmt::format("{:x}", contacts);
+  return {{"contacts", contacts}, {"separations", 0}, {"which_contacts", which}, {"which_separations", ""}};
 }
 
 // A family's first contacts, on 900 that are right: so many times are late, with these deepest tunnels.

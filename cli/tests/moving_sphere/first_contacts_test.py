@@ -112,7 +112,7 @@ class FirstContacts(Case):
         self.assertNotIn("fixed:", done.stdout)
         accepted = self.folder / "ratchet.txt"
         accepted.write_text((less / "ratchet.txt").read_text().replace("EXPIRY OWNER REASON", "never mk why"))
-        self.assertIn(" start=reported still=reported sides=both shows=time", accepted.read_text())
+        self.assertIn(" start=reported still=reported sides=both time=", accepted.read_text())
         # A file that promises more than this kernel: the words of a policy are read again.
         accepted.write_text(accepted.read_text().replace("start=reported", "start=approaching"))
         done = axiscert("run", *PLAN, "--ratchet", accepted, "--out", self.folder / "held")
