@@ -133,6 +133,7 @@ std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::ve
                         *hiding});
     }
   }
+  std::ranges::stable_sort(hidden, {}, &Hidden::kind);  // what is no fault comes last
   return hidden;
 }
 

@@ -87,7 +87,7 @@ TEST(SphereTriangleJudge, AnAnswerMayContradictItself) {
   EXPECT_EQ(consistency(0.5, Verdict::contact, {0.1}), Consistency::positive);
   EXPECT_EQ(consistency(0.5, Verdict::contact, {0}), Consistency::consistent);
   EXPECT_EQ(consistency(3, Verdict::separated, {-0.1}), Consistency::negative);
-  EXPECT_EQ(consistency(3, Verdict::separated, {none, none}), Consistency::consistent) << "nothing beside separated";
+  EXPECT_FALSE(consistency(3, Verdict::separated, {none, none})) << "nothing beside separated";
   EXPECT_EQ(consistency(3, Verdict::separated, {2, none}), Consistency::missing);
   EXPECT_EQ(consistency(0.5, Verdict::contact, {none, 6}), Consistency::missing);
   EXPECT_EQ(consistency(0.5, Verdict::contact, {-INFINITY, 6}), Consistency::missing);
