@@ -35,7 +35,7 @@ const Shown* find_shown(const std::vector<Shown>& all, std::string_view name) {
 
 std::uint64_t mark_of_both(const std::array<GivenBeside, 2>& beside) { return beside[0].mark ^ beside[1].mark; }
 
-// What became of a number beside the answers of one verdict.
+// Tells what became of a number beside the answers of one verdict.
 std::optional<Hiding> hiding_of(const GivenBeside& then, const GivenBeside& now, bool are_same_queries) {
   if (then.given == 0) return std::nullopt;
   if (!are_same_queries) {

@@ -1,4 +1,4 @@
-// What a kernel shows beside its verdicts, and beside which answers: a greatest error over other answers is no better.
+// The numbers and comparisons that a kernel shows, and beside which answers: a greatest error over others is no better.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ struct GivenBeside {
 
 struct Shown {
   std::string name;  // "comparisons", "sides"; a number by its place: "separation", "normal"
-  // Of a number: beside contacts, and beside answers that say separated.
+  // A number has both: beside contacts, and beside answers that say separated.
   std::optional<std::array<GivenBeside, 2>> beside = {};
 };
 
-// What a kernel shows in a family, of which numbers alone are told, and in all of them.
+// The numbers that a kernel shows in a family, and all that it shows.
 std::vector<Shown> shown_in(const FamilyRecord& result);
 std::vector<Shown> shown_in(const KernelRecord& entry);
 
-// What has to be shown for a figure of a place; nothing for one of verdicts.
+// A figure of a place needs these to be shown; one of verdicts nothing.
 std::vector<std::string_view> shown_of(const std::string& place, std::string_view member);
 
 enum class Hiding {
@@ -43,8 +43,8 @@ struct Hidden {
   std::string text;  // "separation beside 215 of 600 contacts, 430 before"
   Hiding kind;
 };
-// What was shown and is shown no more, or not beside the same answers: no figure of it is better. Over other queries it
-// is told of what stood beside all, and stands not even beside half.
+// Lists what was shown and is shown no more, or not beside the same answers: no figure of it is better. Over other
+// queries it is told of what stood beside all, and stands not even beside half.
 std::vector<Hidden> hidden_since(const std::vector<Shown>& before, const std::vector<Shown>& now,
                                  bool are_same_queries = true);
 

@@ -122,8 +122,8 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     const std::uint64_t missed = moves ? result.verdict.false_separation : 0;
     found.families[family] = {given->judged + given->none + missed, given->judged};
     if (given->judged == 0) found.unseen.push_back(family);
-    const std::uint64_t promised = subject.evidence(result).promised(), answers_here = result.contacts->answers;
-    if (!moves) unjudged += promised - std::min(promised, answers_here);
+    const std::uint64_t decided = subject.evidence(result).decided(), answers_here = result.contacts->answers;
+    if (!moves) unjudged += decided - std::min(decided, answers_here);
     judged += given->judged;
     none += answers_here - std::min(answers_here, given->judged);
   }

@@ -73,7 +73,7 @@ TEST(RatchetOfPromises, ComparisonsThatAreShownNoMoreAreLess) {
           "published binary32 shows less than the ratchet: no comparisons any more; no sides any more (r.txt:4)"));
 }
 
-// What is left of the sides goes with them: a ratchet of the comparisons alone would ask for it in vain.
+// The figures of sides go with them: a ratchet of the comparisons alone would ask for it in vain.
 TEST(RatchetOfPromises, SidesThatAreShownNoMoreTakeTheirFiguresAlong) {
   Json then = stored_record(), now = then;
   now["kernels"][0]["exposes"] = {"verdict", "comparisons"};

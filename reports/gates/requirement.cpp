@@ -104,11 +104,10 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   }
   outcome.covers = found.covers + fewest_text(subject, found, asked) + asked_again_text(subject);
   outcome.leaves_out = std::move(found.leaves_out);
-  if (level_of(asked).looks_at != nullptr) {
-    // It looks at what is outside them.
-  } else if (!outcome.outside.empty())
+  const bool looks_outside = level_of(asked).looks_at != nullptr;
+  if (!looks_outside && !outcome.outside.empty())
     leave_out(outcome.leaves_out, fmt::format("outside its limits: {}", fmt::join(outcome.outside, ", ")));
-  else if (outcome.evidence.outside != 0)
+  else if (!looks_outside && outcome.evidence.outside != 0)
     leave_out(outcome.leaves_out, fmt::format("{} queries outside its limits", thousands(outcome.evidence.outside)));
   if (outcome.evidence.declined() != 0) leave_out(outcome.leaves_out, "what it declined");
   for (const UntakenLines& lines : lines_it_cannot_take(record, kernel.id)) {
@@ -228,15 +227,13 @@ const GateLevel& level_of(const AskedLevel& asked) { return *find_level(asked.na
 
 AskedLevel parse_level(const std::string& text) {
   constexpr std::string_view in = " in ";
-  const std::size_t of_families = text.find(in);
-  if (text.ends_with(" in"))
-    throw Error(fmt::format("requirement '{}': name families after `in`, as in `exact in scene-*,far`", text));
+  const std::size_t of_families = (text + ' ').find(in);
   const std::string level_text = text.substr(0, of_families);
   AskedLevel asked{text, level_text.substr(0, level_text.find('='))};
   asked.has_argument = asked.name.size() != level_text.size();
   if (asked.has_argument) asked.argument = level_text.substr(asked.name.size() + 1);
   if (of_families != text.npos) {
-    std::istringstream patterns(text.substr(of_families + in.size()));
+    std::istringstream patterns(text.substr(std::min(of_families + in.size(), text.size())));
     for (std::string pattern; std::getline(patterns >> std::ws, pattern, ',');) asked.families.push_back(pattern);
     if (asked.families.empty())
       throw Error(fmt::format("requirement '{}': name families after `in`, as in `exact in scene-*,far`", text));
