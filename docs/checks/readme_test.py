@@ -184,8 +184,9 @@ def contact_row(kernel, families):
     parts = {name: found["contacts"] for name, found in families.items() if found["contacts"]}
 
     def of(part, member, join=max, only=lambda _: True):
-        found = [contacts[part] for name, contacts in parts.items() if contacts.get(part) and contacts[part].get("judged", 1) and only(name)]
-        return join(one[member] for one in found) if found else None
+        found = [contacts[part][member] for name, contacts in parts.items() if contacts.get(part) and only(name)]
+        found = [one for one in found if one is not None]
+        return join(found) if found else None
 
     def pair(part, member, factor=1.0):
         """Of scenes, and of all."""

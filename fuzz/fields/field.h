@@ -90,6 +90,7 @@ struct Field {
   bool is_inlined = false;      // JSON has the fields of this struct in its place
   bool may_be_absent = false;   // an empty optional is left out of JSON, and not null
   bool is_rest = false;         // a Named: its values are members of the struct's object, whatever their names
+  std::string_view looked_at = {};  // the count beside it of what it was seen on; where that is 0, JSON has null here
 };
 
 template <class Of, class Member, class How = by::Type>

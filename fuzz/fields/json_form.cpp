@@ -63,10 +63,30 @@ Json object_schema(bool is_open, std::string_view about) {
 
 void describe_member(Json& schema, const Field& field, Json (*schema_of_member)()) {
   Json member = schema_of_member();
-  if (!field.about.empty()) member["description"] = field.about;
+  std::string about(field.about);
+  if (!field.looked_at.empty()) {
+    member = nullable(std::move(member));
+    about += fmt::format("{}Null where {} is 0.", about.empty() ? "" : " ", field.looked_at);
+  }
+  if (!about.empty()) member["description"] = about;
   if (!field.unit.empty()) member["unit"] = field.unit;
   put_member(schema["properties"], field.name, std::move(member));
   if (!field.may_be_absent) schema["required"].push_back(field.name);
+}
+
+void clear_unseen(Json& object, const Field& field) {
+  if (field.looked_at.empty()) return;
+  const auto member = object.find(std::string(field.name));
+  if (member != object.end() && object.at(std::string(field.looked_at)) == 0) *member = nullptr;
+}
+
+bool is_unseen(const JsonPlace& place, const Field& field) {
+  if (field.looked_at.empty() || !place.has(field.name)) return false;
+  const bool is_nothing = place.at(field.looked_at).value() == 0;
+  const JsonPlace member = place.at(field.name);
+  if (is_nothing && !member.value().is_null())
+    member.refuse(fmt::format("is not null, though {} is 0", field.looked_at));
+  return is_nothing;
 }
 
 // The length is counted in bytes, which is at least as strict as in characters. A text over its limit never reaches the

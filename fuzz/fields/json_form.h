@@ -24,6 +24,10 @@ inline constexpr bool has_rest = [] {
 
 Json object_schema(bool is_open, std::string_view about);
 void describe_member(Json& schema, const Field& field, Json (*schema_of_member)());
+// Makes the member null where it was looked at on nothing.
+void clear_unseen(Json& object, const Field& field);
+// Whether it was: then it has to be null, and else not. Throws JsonFault.
+bool is_unseen(const JsonPlace& place, const Field& field);
 // Throws JsonFault where a member is not what the members beside it say.
 void require_said(const JsonPlace& place, std::string_view member, const Json& expected);
 
@@ -78,6 +82,7 @@ struct JsonForm<T> {
       }
       put_value<Value>(json, field.name, of);
     });
+    for_each_written<T>([&](const auto& field) { clear_unseen(json, field); });
   }
   static void get(const JsonPlace& place, T& into) {
     for_each_written<T>([&](const auto& field) {
@@ -90,6 +95,7 @@ struct JsonForm<T> {
         if constexpr (is_named_list<Value>) {
           if (field.is_rest) return void(of = {});
         }
+        if (is_unseen(place, field)) return;
         if constexpr (is_optional<Value>) {
           if (field.may_be_absent) {
             of.reset();

@@ -16,6 +16,12 @@
 
 namespace axiscert {
 
+// A figure of the answers that `count` counts.
+constexpr Field figure_of(std::string_view count, std::string_view name, std::string_view about,
+                          std::string_view unit = {}) {
+  return {.name = name, .about = about, .unit = unit, .looked_at = count};
+}
+
 // Errors of times by powers of two, in units in the last place: number k counts those above 2^(k-1) and at most 2^k;
 // the first also all that are less, the last all that are more.
 inline constexpr std::size_t ulp_powers = 32;
@@ -131,11 +137,13 @@ struct TimeTally {
         field(&TimeTally::best, {"best", "Times that are the greatest number of the precision that is not late."}),
         field(&TimeTally::late, {"late", "Times after the first contact, the unsafe ones."}),
         field(&TimeTally::given, {"given", GivenTally::about}),
-        field(&TimeTally::late_errors, {"late_errors", "How late."}),
-        field(&TimeTally::late_tunnels, {"late_tunnels", "Of the motions until late times."}),
-        field(&TimeTally::early_errors, {"early_errors", "How early."}),
+        field(&TimeTally::judged, {"judged", "early + best + late."}),
+        field(&TimeTally::late_errors, figure_of("judged", "late_errors", "How late.")),
+        field(&TimeTally::late_tunnels, figure_of("judged", "late_tunnels", "Of the motions until late times.")),
+        field(&TimeTally::early_errors, figure_of("judged", "early_errors", "How early.")),
         field(&TimeTally::largest_gap,
-              {"largest_gap", "Greatest distance less r at an early time, relative to the scene.", "of the scene"}),
+              figure_of("judged", "largest_gap", "Greatest distance less r at an early time, relative to the scene.",
+                        "of the scene")),
         journalled(&TimeTally::no_time));
   }
 };
@@ -192,13 +200,17 @@ struct SeparationTally {
         field(&Of::judged, {"judged", "Answers with a separation that is a number."}),
         field(&Of::none, {"none", "Answers without one, though they have other numbers."}),
         field(&Of::given, {"given", GivenTally::about}), field(&Of::by_decade, {"by_decade", {}}),
-        field(&Of::largest_error, {"largest_error", "Greatest difference, relative to the scene.", "of the scene"}),
-        field(&Of::largest_length, {"largest_length", "Greatest difference.", "length"}),
+        field(&Of::largest_error,
+              figure_of("judged", "largest_error", "Greatest difference, relative to the scene.", "of the scene")),
+        field(&Of::largest_length, figure_of("judged", "largest_length", "Greatest difference.", "length")),
         field(&Of::largest_ulps,
-              {"largest_ulps", "Greatest difference in units in the last place of the number nearest to the exact one.",
-               "ulps"}),
-        field(&Of::largest_in_u, {"largest_in_u", "Greatest difference in u = 2^-24 or 2^-53 of the scene.", "u"}),
-        field(&Of::less_margin, {.name = "less_margin", .about = LessMarginTally::about, .may_be_absent = true}));
+              figure_of("judged", "largest_ulps",
+                        "Greatest difference in units in the last place of the number nearest to the exact one.",
+                        "ulps")),
+        field(&Of::largest_in_u,
+              figure_of("judged", "largest_in_u", "Greatest difference in u = 2^-24 or 2^-53 of the scene.", "u")),
+        field(&Of::less_margin,
+              {.name = "less_margin", .about = LessMarginTally::about, .may_be_absent = true, .looked_at = "judged"}));
   }
 };
 
@@ -216,15 +228,18 @@ struct FeatureTally {
                "Answers without one: contacts of motions that do not overlap at the start, and answers of other "
                "predicates with other numbers."}),
         field(&FeatureTally::wrong,
-              {"wrong", "Those that name a part that is not nearest, of motions at the first contact."}),
-        field(&FeatureTally::unnamed, {"unnamed", "Of the wrong ones, those whose number names no part."}),
+              figure_of("judged", "wrong",
+                        "Those that name a part that is not nearest, of motions at the first contact.")),
+        field(&FeatureTally::unnamed,
+              figure_of("judged", "unnamed", "Of the wrong ones, those whose number names no part.")),
         field(&FeatureTally::given, {"given", GivenTally::about}),
         field(&FeatureTally::largest_error,
-              {"largest_error",
-               "Greatest distance of the centre, of motions at the first contact, beyond a plane that bounds the "
-               "region in which the "
-               "part that is named is nearest, relative to the scene; of those that name one.",
-               "of the scene"}),
+              figure_of(
+                  "judged", "largest_error",
+                  "Greatest distance of the centre, of motions at the first contact, beyond a plane that bounds the "
+                  "region in which the "
+                  "part that is named is nearest, relative to the scene; of those that name one.",
+                  "of the scene")),
         journalled(&FeatureTally::first_wrong));
   }
 };
@@ -243,9 +258,11 @@ struct NormalTally {
               {"none", "Answers without one, though there is one; of motions that overlap at the start not counted."}),
         field(&NormalTally::given, {"given", GivenTally::about}),
         field(&NormalTally::largest_angle,
-              {"largest_angle", "Greatest angle between it and the exact one, in radians.", "radians"}),
+              figure_of("judged", "largest_angle", "Greatest angle between it and the exact one, in radians.",
+                        "radians")),
         field(&NormalTally::largest_length_error,
-              {"largest_length_error", "Greatest difference of its length from 1.", "of its length"}));
+              figure_of("lengths", "largest_length_error", "Greatest difference of its length from 1.",
+                        "of its length")));
   }
 };
 
@@ -272,12 +289,13 @@ struct PushTally {
                "the centre is on the triangle."}),
         field(&Of::none, {"none", "Answers without a normal there, though there is one."}),
         field(&Of::nowhere, {"nowhere", "Those judged whose normal is 0: it has no side."}),
-        field(&Of::flips,
-              {"flips",
-               "Those with more than 1/16 left, and a normal at more than a right angle to every exact one; none where "
-               "the exact side is within the rounding of a difference of the query's numbers."}),
-        field(&Of::largest_left,
-              {"largest_left", "The most that is left, rounded up; 0 where nothing is.", "of the depth"}),
+        field(&Of::with_a_side, {"with_a_side", "judged - nowhere."}),
+        field(&Of::flips, figure_of("with_a_side", "flips",
+                                    "Those with more than 1/16 left, and a normal at more than a right angle to every "
+                                    "exact one; none where "
+                                    "the exact side is within the rounding of a difference of the query's numbers.")),
+        field(&Of::largest_left, figure_of("judged", "largest_left",
+                                           "The most that is left, rounded up; 0 where nothing is.", "of the depth")),
         journalled(&Of::first_flip));
   }
 };
@@ -293,11 +311,12 @@ struct PointTally {
         field(&PointTally::none,
               {"none", "Answers without one, though there is one; of motions that overlap at the start not counted."}),
         field(&PointTally::given, {"given", GivenTally::about}),
-        field(&PointTally::largest_error,
-              {"largest_error",
-               "Greatest distance from the exact point, of motions at the first contact; of two bodies from the "
-               "body whose point it is. Relative to the scene.",
-               "of the scene"}));
+        field(
+            &PointTally::largest_error,
+            figure_of("judged", "largest_error",
+                      "Greatest distance from the exact point, of motions at the first contact; of two bodies from the "
+                      "body whose point it is. Relative to the scene.",
+                      "of the scene")));
   }
 };
 
@@ -307,9 +326,10 @@ struct PointsTally {
   Leaders<double> largest_error;
 
   static constexpr auto fields(auto&& visit) {
-    return visit(field(&PointsTally::judged, {"judged", "Answers with both points and a separation."}),
-                 field(&PointsTally::largest_error,
-                       {"largest_error", "Greatest difference, relative to the scene.", "of the scene"}));
+    return visit(
+        field(&PointsTally::judged, {"judged", "Answers with both points and a separation."}),
+        field(&PointsTally::largest_error,
+              figure_of("judged", "largest_error", "Greatest difference, relative to the scene.", "of the scene")));
   }
 };
 

@@ -112,10 +112,8 @@ const not_given = {none: 'not given'};
 function figure_of(contacts, part, member) {
   const told = contacts[part];
   if (!told) return null;
-  if (member === 'judged' || member === 'lengths') return told[member];
-  const judged = part === 'consistency' ? contacts.separation.judged + told.positive + told.negative + told.missing
-    : member === 'largest_length_error' ? told.lengths : member === 'flips' ? told.judged - told.nowhere : told.judged;
-  return judged === 0 ? null : told[member];
+  if (part === 'consistency' && contacts.separation.judged + told.positive + told.negative + told.missing === 0) return null;
+  return told[member];
 }
 function of_part(part, member, type, label, more) {
   return column[type](label, (row) => figure_of(row.result.contacts, part, member), {...not_given, ...more});
@@ -166,7 +164,7 @@ function motion_tables(data, rows) {
   if (told.length === 0) return el('div');
   const none = not_given;
   const time = (label, get, type, more) => column[type](label, (row) => row.result.contacts.time && get(row.result.contacts.time), {...none, ...more});
-  const judged = (get) => (t) => (t.early + t.best + t.late === 0 ? null : get(t));
+  const judged = (get) => (t) => (t.judged === 0 ? null : get(t));
   const size = (label, get, more) => time(label, get, 'text', {numeric: true, key: (value) => (value === null ? -Infinity : magnitude(value)), ...more,
     cell: (td, value) => td.append(value === null ? none.none : error_amount(value))});
   const side = (name, alarm) => [
