@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/fields/json_form.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {
@@ -43,6 +44,39 @@ TEST(ContactTally, TheGreatestOfEachMeasureHasItsQueryInAnyOrderAndInAJournal) {
   EXPECT_EQ(position_of(time.late_errors.largest_length), 4u);
   EXPECT_EQ(position_of(time.early_errors.largest_share), 5u);
   EXPECT_TRUE(time.early_errors.largest_length.candidates().empty()) << "0 is no error";
+}
+
+// The error with which a part of a record is refused; empty: it is read.
+template <class Part>
+std::string refused(const Json& json) {
+  try {
+    read_as<Part>(json);
+  } catch (const JsonFault& fault) {
+    return fault.what();
+  }
+  return {};
+}
+
+TEST(ContactTally, WhatWasLookedAtOnNothingIsNullInJson) {
+  Json none = json_of(NormalTally()), some = json_of(NormalTally{.judged = 1, .lengths = 0});
+  EXPECT_TRUE(none["largest_angle"].is_null());
+  EXPECT_EQ(some["largest_angle"], 0.0);
+  EXPECT_TRUE(some["largest_length_error"].is_null()) << "of which none was";
+  EXPECT_EQ(refused<NormalTally>(none), "");
+  EXPECT_EQ(refused<NormalTally>(some), "");
+  none["largest_angle"] = 0.0;
+  EXPECT_EQ(refused<NormalTally>(none), "/largest_angle: 0.0 is not null, though judged is 0");
+  some["largest_angle"] = nullptr;
+  EXPECT_EQ(refused<NormalTally>(some), "/largest_angle: null is not of type number");
+
+  EXPECT_TRUE(json_of(TimeTally())["late_errors"].is_null());
+  TimeTally in_time;
+  in_time.best = 1;
+  EXPECT_EQ(json_of(in_time)["late_errors"]["largest_share"], 0.0) << "one was judged, and is not late";
+  SeparationTally with_margin;
+  with_margin.less_margin.emplace();
+  EXPECT_TRUE(json_of(with_margin)["less_margin"].is_null());
+  EXPECT_EQ(json_schema_of<PushTally>()["properties"]["flips"]["anyOf"][0]["type"], "null");
 }
 
 TEST(ContactTally, AnErrorIsToldInUlpsWhileTheseAreFew) {

@@ -64,19 +64,19 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
   if (result.separations == 0 && result.without_separation != 0)
     text += fmt::format("; no separation beside {} answers", thousands(result.without_separation));
   if (result.separations != 0) {
-    const std::string seldom =
-        result.separations >= result.without_separation
+    const std::string how_often =
+        result.without_separation == 0
             ? ""
             : fmt::format(", given beside {} answers,", of_text(result.separations, result.without_separation));
     text +=
-        fmt::format("; separations{} off by {} at most", seldom, length_in(group, result.farthest_separation, unit));
+        fmt::format("; separations{} off by {} at most", how_often, length_in(group, result.farthest_separation, unit));
   }
   if (result.contradictions != 0)
     text += fmt::format("; {} separation{} of the wrong sign", thousands(result.contradictions),
                         result.contradictions == 1 ? "" : "s");
   if (result.flips != 0) text += fmt::format("; {} flip{}", thousands(result.flips), result.flips == 1 ? "" : "s");
   else if (result.pushes != 0) text += "; no flip";
-  if (result.pushes < result.without_push)
+  if (result.without_push != 0)
     text += fmt::format("; no normal beside {} overlaps", of_text(result.without_push, result.pushes));
   const double degrees = result.largest_normal_angle * 180 / std::numbers::pi;
   if (degrees >= 1) text += fmt::format("; normals up to {} degrees off", amount(degrees, 3));
