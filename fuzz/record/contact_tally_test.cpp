@@ -58,7 +58,9 @@ std::string refused(const Json& json) {
 }
 
 TEST(ContactTally, WhatWasLookedAtOnNothingIsNullInJson) {
-  Json none = json_of(NormalTally()), some = json_of(NormalTally{.judged = 1, .lengths = 0});
+  NormalTally one;
+  one.judged = 1;
+  Json none = json_of(NormalTally()), some = json_of(one);
   EXPECT_TRUE(none["largest_angle"].is_null());
   EXPECT_EQ(some["largest_angle"], 0.0);
   EXPECT_TRUE(some["largest_length_error"].is_null()) << "of which none was";
