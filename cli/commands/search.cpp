@@ -45,7 +45,7 @@ int search(const SearchOptions& options) {
   output.out = options.out;
   const int done = print_and_write_instrument(found.report, output);
   if (!found.result.complete) return interrupted_code();
-  return search_looked_at(found.result).decided == 0 ? exit_requirement_failed : done;
+  return saw_nothing(found.result) ? exit_requirement_failed : done;
 }
 
 }  // namespace

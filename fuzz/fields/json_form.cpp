@@ -82,11 +82,12 @@ void clear_unseen(Json& object, const Field& field) {
 
 bool is_unseen(const JsonPlace& place, const Field& field) {
   if (field.looked_at.empty() || !place.has(field.name)) return false;
-  const bool is_nothing = place.at(field.looked_at).value() == 0;
-  const JsonPlace member = place.at(field.name);
-  if (is_nothing && !member.value().is_null())
-    member.refuse(fmt::format("is not null, though {} is 0", field.looked_at));
-  return is_nothing;
+  return place.at(field.looked_at).value() == 0 && place.at(field.name).value().is_null();
+}
+
+void require_nothing(const JsonPlace& place, const Field& field, const Json& value, const Json& nothing) {
+  if (value != nothing && place.at(field.looked_at).value() == 0)
+    place.at(field.name).refuse(fmt::format("is not null, though {} is 0", field.looked_at));
 }
 
 // The length is counted in bytes, which is at least as strict as in characters. A text over its limit never reaches the

@@ -26,8 +26,10 @@ Json object_schema(bool is_open, std::string_view about);
 void describe_member(Json& schema, const Field& field, Json (*schema_of_member)());
 // Makes the member null where it was looked at on nothing.
 void clear_unseen(Json& object, const Field& field);
-// Whether it was: then it has to be null, and else not. Throws JsonFault.
+// Whether it is null for that reason.
 bool is_unseen(const JsonPlace& place, const Field& field);
+// Throws JsonFault where it was looked at on nothing, and says more than nothing: then `value` is not `nothing`.
+void require_nothing(const JsonPlace& place, const Field& field, const Json& value, const Json& nothing);
 // Throws JsonFault where a member is not what the members beside it say.
 void require_said(const JsonPlace& place, std::string_view member, const Json& expected);
 
@@ -99,11 +101,14 @@ struct JsonForm<T> {
         if constexpr (is_optional<Value>) {
           if (field.may_be_absent) {
             of.reset();
-            if (place.has(field.name)) read_member(place, field.name, of.emplace());
+            if (!place.has(field.name)) return;
+            read_member(place, field.name, of.emplace());
+            if (!field.looked_at.empty()) require_nothing(place, field, json_of(*of), json_of(*Value(std::in_place)));
             return;
           }
         }
         read_member(place, field.name, of);
+        if (!field.looked_at.empty()) require_nothing(place, field, json_of(of), json_of(Value()));
       }
     });
     // Fields that others already say.

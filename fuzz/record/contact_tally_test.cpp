@@ -1,6 +1,7 @@
 // The errors of times: the greatest of each measure with its query, in a journal, merged, and in words.
 #include "fuzz/record/contact_tally.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fuzz/campaign/parts/stretch.h"
@@ -66,8 +67,8 @@ TEST(ContactTally, WhatWasLookedAtOnNothingIsNullInJson) {
   EXPECT_TRUE(some["largest_length_error"].is_null()) << "of which none was";
   EXPECT_EQ(refused<NormalTally>(none), "");
   EXPECT_EQ(refused<NormalTally>(some), "");
-  none["largest_angle"] = 0.0;
-  EXPECT_EQ(refused<NormalTally>(none), "/largest_angle: 0.0 is not null, though judged is 0");
+  none["largest_angle"] = 0.5;
+  EXPECT_EQ(refused<NormalTally>(none), "/largest_angle: 0.5 is not null, though judged is 0");
   some["largest_angle"] = nullptr;
   EXPECT_EQ(refused<NormalTally>(some), "/largest_angle: null is not of type number");
 
@@ -77,7 +78,11 @@ TEST(ContactTally, WhatWasLookedAtOnNothingIsNullInJson) {
   EXPECT_EQ(json_of(in_time)["late_errors"]["largest_share"], 0.0) << "one was judged, and is not late";
   SeparationTally with_margin;
   with_margin.less_margin.emplace();
-  EXPECT_TRUE(json_of(with_margin)["less_margin"].is_null());
+  Json less = json_of(with_margin);
+  EXPECT_TRUE(less["less_margin"].is_null());
+  EXPECT_EQ(refused<SeparationTally>(less), "");
+  less["less_margin"] = {{"largest_error", 0.5}, {"largest_length", 0.0}};
+  EXPECT_THAT(refused<SeparationTally>(less), testing::EndsWith("is not null, though judged is 0"));
   EXPECT_EQ(json_schema_of<PushTally>()["properties"]["flips"]["anyOf"][0]["type"], "null");
 }
 

@@ -86,6 +86,37 @@ bool is_named(MeasureFault which, std::string_view what) {
   return word(which) == what || name(measure_of(which)) == what;
 }
 
+bool is_judged(const ContactJudgement& judgement, MeasureFault which) {
+  switch (which) {
+    case MeasureFault::no_time:
+    case MeasureFault::late_time:
+    case MeasureFault::early_time:
+      return judgement.time.has_value();
+    case MeasureFault::inconsistent:
+      return judgement.consistency.has_value();
+    case MeasureFault::flip:
+    case MeasureFault::left:
+      return judgement.pushed.has_value();
+    case MeasureFault::feature:
+      return judgement.feature_is_right.has_value();
+    case MeasureFault::separation:
+      return judgement.separation.has_value();
+    case MeasureFault::normal:
+      return judgement.normal_angle.has_value();
+    case MeasureFault::length:
+      return judgement.normal_length_error.has_value();
+    case MeasureFault::point:
+      return judgement.point_error.has_value();
+    case MeasureFault::point_a:
+      return judgement.point_a_error.has_value();
+    case MeasureFault::point_b:
+      return judgement.point_b_error.has_value();
+    case MeasureFault::points:
+      return judgement.points_apart.has_value();
+  }
+  return false;
+}
+
 std::optional<MeasureError> measure_error(const ContactJudgement& judgement, MeasureFault which) {
   switch (which) {
     case MeasureFault::no_time:

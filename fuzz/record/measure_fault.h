@@ -69,6 +69,8 @@ struct MeasureError {
   Decimal6 rounded;  // the size, up; of what is left as it was judged
 };
 std::string_view unit_of(MeasureFault which);  // of the size: "of the scene"
+// Whether the fault could be seen: the answer has what it is of, and that was compared.
+bool is_judged(const ContactJudgement& judgement, MeasureFault which);
 // Empty where the judgement does not have the fault.
 std::optional<MeasureError> measure_error(const ContactJudgement& judgement, MeasureFault which);
 

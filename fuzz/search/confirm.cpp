@@ -63,7 +63,7 @@ std::optional<Decimal6> Confirmer<Real>::value(const Aim& aim, const Numbers<Rea
   if (aim.goal == Goal::phantom_contact) return depth(FlipKind::false_contact, q);
   if (aim.goal == Goal::number) {
     const Reply<Real> reply = ask(implementation_, q);
-    const auto error = number_error(aim, kernel_, q, reply.verdicts[0], reply.measures(0));
+    const auto error = number_seen(aim, kernel_, q, reply.verdicts[0], reply.measures(0)).error;
     return error ? std::optional(error->rounded) : std::nullopt;
   }
   const AimValues* const values = capabilities_of(*kernel_.predicate).aim_values;

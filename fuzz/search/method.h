@@ -75,6 +75,8 @@ class Guide {
   // verdicts do: they solve each query's length. `said`: the kernel's verdict on each query as it is left.
   virtual void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
                         std::vector<Verdict>& said) = 0;
+  // Of an aim about a number: how many of the queries so far had it, and it was compared.
+  virtual std::uint64_t judged() const { return 0; }
   // Brings a query to where the aim is looked for.
   virtual void settle(Numbers<Real>& q) const = 0;
   // A step that an aim has besides the moves that all have; false where this one was not to be taken.

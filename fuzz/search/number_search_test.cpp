@@ -154,10 +154,29 @@ TEST(SearchNumbers, DoNotDependOnThreadsOrWhereItStopped) {
   plan.evaluations = 4096;
   const SearchResult resumed = found(half.state);
   EXPECT_EQ(whole.finds, resumed.finds);
+  EXPECT_EQ(whole.judged, resumed.judged);
+  EXPECT_GT(whole.judged.at(0), 0u);
   ASSERT_EQ(whole.finds.size(), 2u);
   SearchPlan other = plan;
   other.what = {"separation"};
   EXPECT_THROW(search(other, half.state, never, [](const SearchProgress&) {}), Error);
+}
+
+TEST(SearchNumbers, ANumberThatIsNeverGivenWasNotLookedAt) {
+  const Kernel kernel = faulty("closest-point", sides_and_radius,
+                               [](double, std::vector<double>& m) { m[0] = std::nan(""); });
+  SearchPlan plan;
+  plan.kernel = &kernel;
+  plan.precision = Precision::binary64;
+  plan.what = {"separation", "unit"};
+  plan.sources = {family_source(find_family("general"))};
+  plan.evaluations = 4096;
+  plan.target = std::string(scalar_target);
+  const std::atomic<bool> never = false;
+  const SearchResult result = search(plan, {}, never, [](const SearchProgress&) {});
+  EXPECT_GT(result.looked_at.at(0).decided, 0u);
+  EXPECT_EQ(result.judged.at(0), 0u);
+  EXPECT_GT(result.judged.at(1), 0u) << "which is given";
 }
 
 }  // namespace

@@ -20,20 +20,19 @@ std::vector<Aim> number_aims(const Kernel& kernel) {
 }
 
 template <class Real>
-std::optional<MeasureError> number_error(const Aim& aim, const Kernel& kernel, const Numbers<Real>& q, Verdict said,
-                                         std::span<const double> measures) {
+NumberSeen number_seen(const Aim& aim, const Kernel& kernel, const Numbers<Real>& q, Verdict said,
+                       std::span<const double> measures) {
   const Oracles& oracles = oracles_of(kernel);
-  if (!oracles.is_valid(q) || !is_promised(kernel, q)) return std::nullopt;
-  if (!has_judged_contact(kernel, said, [&] { return oracles.truth(q); })) return std::nullopt;
+  if (!oracles.is_valid(q) || !is_promised(kernel, q)) return {};
+  if (!has_judged_contact(kernel, said, [&] { return oracles.truth(q); })) return {};
   const std::unique_ptr<ContactJudge> judge = oracles.contact_judge(q);
-  if (judge == nullptr) return std::nullopt;
+  if (judge == nullptr) return {};
   judge->declare_margin(kernel.limits.margin);
-  return measure_error(judge->judge(said, measures), fault_of(aim));
+  const ContactJudgement judgement = judge->judge(said, measures);
+  return {is_judged(judgement, fault_of(aim)), measure_error(judgement, fault_of(aim))};
 }
-template std::optional<MeasureError> number_error(const Aim&, const Kernel&, const Numbers<float>&, Verdict,
-                                                  std::span<const double>);
-template std::optional<MeasureError> number_error(const Aim&, const Kernel&, const Numbers<double>&, Verdict,
-                                                  std::span<const double>);
+template NumberSeen number_seen(const Aim&, const Kernel&, const Numbers<float>&, Verdict, std::span<const double>);
+template NumberSeen number_seen(const Aim&, const Kernel&, const Numbers<double>&, Verdict, std::span<const double>);
 
 template <class Real>
 NumberGuide<Real>::NumberGuide(const Kernel& kernel, std::string_view target)
@@ -53,8 +52,9 @@ void NumberGuide<Real>::evaluate(const Aim& aim, QueryBatch<Real>& batch, std::v
   ask(implementation_, batch.columns(), reply);
   scores.assign(batch.size(), 0);
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const auto error = number_error(aim, kernel_, batch[i], reply.verdicts[i], reply.measures(i));
-    if (error) scores[i] = error->size;
+    const NumberSeen seen = number_seen(aim, kernel_, batch[i], reply.verdicts[i], reply.measures(i));
+    judged_ += seen.is_judged;
+    if (seen.error) scores[i] = seen.error->size;
   }
   said = reply.verdicts;
 }

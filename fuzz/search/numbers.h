@@ -14,11 +14,14 @@ std::vector<Aim> number_aims(const Kernel& kernel);
 // Each evaluation asks the exact numbers.
 inline constexpr IslandShare number_share = {1, 1 << 10};
 
-// What the kernel's numbers on a query show of an aim; empty where nothing is wrong with that one, or nothing is
-// promised or judged.
+// What the kernel's numbers on a query show of an aim.
+struct NumberSeen {
+  bool is_judged = false;                  // the query is promised, and the number is given and compared
+  std::optional<MeasureError> error = {};  // empty where nothing is wrong with it
+};
 template <class Real>
-std::optional<MeasureError> number_error(const Aim& aim, const Kernel& kernel, const Numbers<Real>& q, Verdict said,
-                                         std::span<const double> measures);
+NumberSeen number_seen(const Aim& aim, const Kernel& kernel, const Numbers<Real>& q, Verdict said,
+                       std::span<const double> measures);
 
 // A query scores the error of the number. Keeps a reference to the kernel.
 template <class Real>
@@ -28,10 +31,12 @@ class NumberGuide final : public Guide<Real> {
   void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
                 std::vector<Verdict>& said) override;
   void settle(Numbers<Real>& q) const override;
+  std::uint64_t judged() const override { return judged_; }
 
  private:
   const Kernel& kernel_;
   Implementation<Real> implementation_;
+  std::uint64_t judged_ = 0;
 };
 
 }  // namespace axiscert

@@ -88,7 +88,7 @@ using Json = nlohmann::ordered_json;
 
 // Has to be raised whenever the same plan would give a different result.
 constexpr int search_version = 5;
-constexpr const char* state_format = "axiscert-search-state/4";
+constexpr const char* state_format = "axiscert-search-state/5";
 
 // The part of the plan that has to be the same for a search to continue.
 Json search_plan_json(const SearchPlan& plan) {
@@ -173,6 +173,7 @@ std::string state_text(const SearchPlan& plan, const std::vector<Aim>& aims, con
   }
   header["looked_at"] = Json::array();
   for (const LookedAt& looked_at : state.looked_at) header["looked_at"].push_back(stored_looked_at(looked_at));
+  header["judged"] = state.judged;
   header["begun"] = stored_looked_at(state.begun);
   std::string text = header.dump() + "\n";
   for (std::size_t i = 0; i < aims.size(); ++i) {
@@ -223,10 +224,11 @@ SearchState parse_state(std::string_view text, const SearchPlan& plan, const std
     const Json all = header.value(key, Json::array());
     return number(all.is_array() && all.size() == aims.size() ? all[i] : Json(), key);
   };
-  SearchState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size()), {}, {}};
+  SearchState state{count("islands"), count("evaluations"), std::vector<StoredPools>(aims.size()), {}, {}, {}};
   const Json looked_at = header.value("looked_at", Json::array());
   for (std::size_t i = 0; i < aims.size(); ++i) {
     state.looked_at.push_back(parse_looked_at(looked_at.size() == aims.size() ? looked_at[i] : Json()));
+    state.judged.push_back(count_of("judged", i));
   }
   state.begun = parse_looked_at(header.value("begun", Json()));
   for (std::size_t i = 0; i < aims.size(); ++i) {

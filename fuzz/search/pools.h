@@ -83,6 +83,7 @@ struct SearchState {
   std::uint64_t islands = 0, evaluations = 0;  // finished
   std::vector<StoredPools> pools;              // one per aim
   std::vector<LookedAt> looked_at;             // one per aim
+  std::vector<std::uint64_t> judged;           // one per aim
   LookedAt begun;
 };
 

@@ -102,6 +102,7 @@ class Search {
     if (aims_.empty()) throw Error(why_no_aims(plan, method_));
     known_.resize(aims_.size());
     looked_at_.resize(aims_.size());
+    judged_.resize(aims_.size());
   }
 
   void resume(const std::string& text) {
@@ -109,6 +110,7 @@ class Search {
     islands_ = resumed_from_ = state.islands;
     evaluations_ = state.evaluations;
     looked_at_ = state.looked_at;
+    judged_ = state.judged;
     begun_ = state.begun;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
@@ -149,6 +151,7 @@ class Search {
     result.evaluations = evaluations_;
     result.aims = aims_;
     result.looked_at = looked_at_;
+    result.judged = judged_;
     result.begun = begun_;
     result.state = state();
     finish(result);
@@ -207,6 +210,7 @@ class Search {
         const std::size_t aim = slots_[*island % slots_.size()].aim;
         for (const Entry& entry : found.entries) known_[aim].fresh.put(entry);
         merge_fields(looked_at_[aim], found.looked_at);
+        judged_[aim] += found.judged;
         report({islands_, evaluations_, elapsed()});
       }
     };
@@ -221,6 +225,7 @@ class Search {
   struct Island {
     std::vector<Entry> entries;
     LookedAt looked_at;
+    std::uint64_t judged = 0;
   };
 
   // Reads only the lineages.
@@ -237,6 +242,7 @@ class Search {
       for (std::size_t i = 0; i < batch.size(); ++i) counter.add(found.looked_at, batch[i], said[i], island);
     };
     const auto candidates = climb(*guide, aim, random, starts(slot.aim, random), slot.evaluations, count);
+    found.judged = guide->judged();
     for (const ScoredQuery<Real>& candidate : candidates) {
       if (candidate.score == 0 || found.entries.size() == 2) break;
       if (const auto value = confirmer.value(aim, candidate.query)) found.entries.push_back({*value, candidate.query});
@@ -291,7 +297,7 @@ class Search {
   }
 
   std::string state() const {
-    SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size()), looked_at_, begun_};
+    SearchState state{islands_, evaluations_, std::vector<StoredPools>(aims_.size()), looked_at_, judged_, begun_};
     const auto stored = [&](const Pool<Real>& pool) {
       std::vector<StoredQuery> queries;
       for (const Entry& entry : pool.entries()) queries.push_back(stored_query("", entry.query));
@@ -331,6 +337,7 @@ class Search {
   std::uint64_t islands_ = 0, resumed_from_ = 0, epoch_begin_ = 0, evaluations_ = 0;
   std::vector<KnownQueries<Real>> known_;  // by aim
   std::vector<LookedAt> looked_at_;        // by aim
+  std::vector<std::uint64_t> judged_;      // by aim
   LookedAt begun_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

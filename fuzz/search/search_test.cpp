@@ -263,9 +263,9 @@ TEST(Search, AStateOfAnotherPlanIsRefused) {
   refused(plan, "no json\n" + state, "not the state of a search");
   refused(plan, state.substr(0, state.size() - 20), "resume");
   std::string older = state;
-  older.replace(older.find("search-state/4"), 14, "search-state/3");
+  older.replace(older.find("search-state/5"), 14, "search-state/4");
   refused(plan, older,
-          "its schema is \"axiscert-search-state/3\", but this axiscert reads \"axiscert-search-state/4\"; begin the "
+          "its schema is \"axiscert-search-state/4\", but this axiscert reads \"axiscert-search-state/5\"; begin the "
           "search without --resume");
   std::string wrong = state;
   wrong.replace(wrong.find("\"fresh error"), 12, "\"fresh horror");

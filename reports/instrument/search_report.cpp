@@ -15,6 +15,18 @@
 namespace axiscert {
 namespace {
 
+LookedAt search_looked_at(const SearchResult& result) {
+  LookedAt all = result.evaluated();
+  merge_fields(all, result.begun);
+  return all;
+}
+
+bool met_no_number(const SearchResult& result) {
+  return result.finds.empty() &&
+         std::ranges::all_of(result.aims, [](const Aim& aim) { return aim.goal == Goal::number; }) &&
+         std::ranges::all_of(result.judged, [](std::uint64_t judged) { return judged == 0; });
+}
+
 class SearchReport {
  public:
   SearchReport(const SearchPlan& plan, const SearchResult& result)
@@ -56,22 +68,29 @@ class SearchReport {
       return fmt::format("Nothing was looked at: {} decided none of {} queries ({}), {}", plan_.kernel->id,
                          thousands(all_.asked()), not_decided_text(all_, may_decline()), what);
     }
+    if (met_no_number(result_)) {
+      return fmt::format("Nothing was looked at: {} gives no number of this kind beside any of {} answers, {}",
+                         plan_.kernel->id, thousands(all_.decided), what);
+    }
     const std::string others = not_decided_text(all_, may_decline());
     if (others.empty()) return fmt::format("The worst of {} found, {}", plan_.kernel->id, what);
     return fmt::format("The worst of {} found among {} of {} queries that it decided ({}), {}", plan_.kernel->id,
                        thousands(all_.decided), thousands(all_.asked()), others, what);
   }
 
-  const LookedAt& looked_at(const Aim& aim) const {
-    for (std::size_t i = 0; i < result_.aims.size(); ++i) {
-      if (result_.aims[i] == aim) return result_.looked_at[i];
-    }
-    throw std::logic_error("search: no such aim");
+  std::size_t index_of(const Aim& aim) const {
+    const auto found = std::ranges::find(result_.aims, aim);
+    if (found == result_.aims.end()) throw std::logic_error("search: no such aim");
+    return static_cast<std::size_t>(found - result_.aims.begin());
   }
   // The words for an aim without a find.
   std::string nothing_found(const Aim& aim) const {
-    const std::uint64_t decided = looked_at(aim).decided;
-    return decided == 0 ? "not looked at" : fmt::format("none among {} decided", thousands(decided));
+    const std::size_t i = index_of(aim);
+    const std::uint64_t decided = result_.looked_at[i].decided, judged = result_.judged[i];
+    const bool is_number = aim.goal == Goal::number;
+    if ((is_number ? judged : decided) == 0) return "not looked at";
+    return is_number ? fmt::format("none among {} judged", thousands(judged))
+                     : fmt::format("none among {} decided", thousands(decided));
   }
 
   const Find* find(const Aim& aim) const {
@@ -159,10 +178,10 @@ class SearchReport {
   }
 
   InstrumentTable number_table() const {
-    InstrumentTable table{"Numbers beside the verdict", {"what", "worst", "unit"}, {}};
+    InstrumentTable table{"Numbers beside the verdict", {"what", "judged", "worst", "unit"}, {}};
     for (const Aim& aim : numbers_asked()) {
       table.rows.push_back(
-          {std::string(word(fault_of(aim))), error_cell(aim), find(aim) ? std::string(unit_of(fault_of(aim))) : ""});
+          {std::string(word(fault_of(aim))), thousands(result_.judged[index_of(aim)]), error_cell(aim), find(aim) ? std::string(unit_of(fault_of(aim))) : ""});
     }
     return table;
   }
@@ -225,7 +244,7 @@ class SearchReport {
     for (const std::size_t which : comparisons_asked()) data.comparisons.push_back(comparison_data(which));
     data.verdict = verdict_data();
     for (const Aim& aim : numbers_asked())
-      data.numbers.push_back({word(fault_of(aim)), made_of(find(aim), value_of), made_of(find(aim), witness_of)});
+      data.numbers.push_back({word(fault_of(aim)), result_.judged[index_of(aim)], made_of(find(aim), value_of), made_of(find(aim), witness_of)});
     data.begun_from = {plan_.first_queries, names_of(plan_.first_sources), result_.begun};
     return json_of(data);
   }
@@ -237,10 +256,8 @@ class SearchReport {
 
 }  // namespace
 
-LookedAt search_looked_at(const SearchResult& result) {
-  LookedAt all = result.evaluated();
-  merge_fields(all, result.begun);
-  return all;
+bool saw_nothing(const SearchResult& result) {
+  return search_looked_at(result).decided == 0 || met_no_number(result);
 }
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command) {

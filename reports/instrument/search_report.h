@@ -84,14 +84,16 @@ struct VerdictFindsData {
 
 struct NumberFindData {
   Name what;
+  std::uint64_t judged = 0;
   std::optional<Decimal6> value;
   std::optional<QueryLine> witness;
 
   AXISCERT_FIELDS(
       NumberFindData, AXISCERT_FIELD(what, "The error, by the name of the level that is for it: `separation`, `left`."),
+      AXISCERT_FIELD(judged, "Queries that were evaluated for it, and whose answer had it, where it could be compared."),
       AXISCERT_FIELD(value,
                      "The greatest, rounded up to six digits: an angle in radians, what is left as a share of the "
-                     "depth, a length less 1, else a share of the scene; null: none found among the decided queries."),
+                     "depth, a length less 1, else a share of the scene; null: none found among those judged."),
       AXISCERT_FIELD(witness, "The query; null where there is none."))
 };
 
@@ -151,9 +153,9 @@ struct SearchData : DataHead<SearchData> {
 };
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);
-// All queries that the search looked at: those that were evaluated, and those of the run before. Where none of them was
-// decided, it says nothing about the kernel.
-LookedAt search_looked_at(const SearchResult& result);
+// Whether it says nothing about the kernel: no query that was evaluated, or of the run before, was decided, or a search
+// for numbers alone met none.
+bool saw_nothing(const SearchResult& result);
 // The witnesses as a query file, one for each find.
 std::string search_witnesses(const SearchResult& result);
 

@@ -295,9 +295,9 @@ class Search(Case):
         self.search(*self.PLAN, "--evaluations", 1)
         self.refused("search", "--resume", "--out", self.folder / "out", says=["comparisons"])
         state = self.folder / "out/search.state"
-        state.write_text(state.read_text().replace("axiscert-search-state/4", "axiscert-search-state/3"))
+        state.write_text(state.read_text().replace("axiscert-search-state/5", "axiscert-search-state/4"))
         self.refused(*self.PLAN, "--resume", "--out", self.folder / "out",
-                     says=["out/search.state: its schema is", "axiscert-search-state/3", "axiscert-search-state/4", "without --resume"])
+                     says=["out/search.state: its schema is", "axiscert-search-state/4", "axiscert-search-state/5", "without --resume"])
         state.write_text("no state")
         self.refused(*self.PLAN, "--resume", "--out", self.folder / "out", says=["not the state of a search"])
 
