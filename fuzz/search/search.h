@@ -60,7 +60,7 @@ struct SearchResult {
   std::vector<Find> finds;  // in the order of the aims; an aim without a result is left out
   // By aim, the queries that were evaluated for it; they may be a few less than its islands' shares.
   std::vector<LookedAt> looked_at;
-  std::vector<std::uint64_t> judged;  // by aim: of these, those with the number that an aim is about
+  std::vector<std::uint64_t> judged;  // by aim: those with what it is about, where is_about_a_part()
   LookedAt begun;     // the queries of the run from which the search began
   std::string state;  // from which a later run continues
 

@@ -177,6 +177,26 @@ SearchPlan plan_of_one_island_each(const Kernel& kernel) {
   return plan;
 }
 
+TEST(Search, AComparisonWhoseSidesAreNoNumbersWasNotLookedAt) {
+  Kernel kernel = find_kernel("published");
+  kernel.binary32 = [own = kernel.binary32](std::string_view target) {
+    Implementation<float> made = own(target);
+    made.explain = [right = made.explain](const QueryColumns<float>& batch, Answers<float>& out) {
+      right(batch, out);
+      for (float& side : out.lhs.front()) side = std::nanf("");
+    };
+    return made;
+  };
+  SearchPlan plan = plan_of("published", {Comparison::plane_radius, Comparison::vertex_a_radius}, 1 << 14);
+  plan.kernel = &kernel;
+  const SearchResult result = found_by(plan);
+  for (std::size_t i = 0; i < result.aims.size(); ++i) {
+    if (!is_about_a_part(result.aims[i].goal)) continue;
+    const bool is_seen = result.aims[i].which != index_of(Comparison::plane_radius);
+    EXPECT_EQ(result.judged[i] != 0, is_seen) << name(result.aims[i], *kernel.predicate);
+  }
+}
+
 TEST(Search, CountsWhatBecameOfEveryQueryForEachAim) {
   Kernel kernel = saying(Verdict::undecided, false);
   SearchPlan plan = plan_of_one_island_each(kernel);

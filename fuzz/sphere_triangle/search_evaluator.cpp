@@ -207,6 +207,7 @@ void Evaluator<Real>::evaluate_error(const Aim& aim, const QueryBatch<Real>& bat
       margin = margins[i];
     }
     const double error = difference(reply_.answers.lhs[k][i], reply_.answers.rhs[k][i], margin);
+    judged_ += std::isfinite(error);
     scores[i] = score_of(aim, error, margin.size, digits);
   }
 }

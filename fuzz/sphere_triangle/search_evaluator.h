@@ -23,6 +23,7 @@ class Evaluator final : public Guide<Real> {
   bool step(const Aim& aim, Dice& random, Numbers<Real>& q) const override;
   // The six orders of the vertices.
   std::vector<Numbers<Real>> images(const Numbers<Real>& q) const override;
+  std::uint64_t judged() const override { return judged_; }
 
   // The quantity that vanishes where a comparison loses its scale, in binary64: l for a radius comparison, l - r for a
   // side comparison. Guides Newton's steps.
@@ -39,6 +40,7 @@ class Evaluator final : public Guide<Real> {
   Reply<Real> reply_;
   QueryBatch<double> widened_{0, coordinate_count};
   Answers<double> wide_answers_;
+  std::uint64_t judged_ = 0;  // queries with finite sides
 };
 
 }  // namespace axiscert

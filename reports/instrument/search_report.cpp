@@ -21,9 +21,9 @@ LookedAt search_looked_at(const SearchResult& result) {
   return all;
 }
 
-bool met_no_number(const SearchResult& result) {
-  return result.finds.empty() &&
-         std::ranges::all_of(result.aims, [](const Aim& aim) { return aim.goal == Goal::number; }) &&
+// Whether all that was looked for is beside the verdict, and no answer had it.
+bool met_no_part(const SearchResult& result) {
+  return std::ranges::all_of(result.aims, [](const Aim& aim) { return is_about_a_part(aim.goal); }) &&
          std::ranges::all_of(result.judged, [](std::uint64_t judged) { return judged == 0; });
 }
 
@@ -64,12 +64,12 @@ class SearchReport {
     const std::string what =
         fmt::format("{}, {} evaluations, seed {}{}", name(plan_.precision), thousands(result_.evaluations), plan_.seed,
                     result_.complete ? "" : ", interrupted");
-    if (all_.decided == 0) {
+    if (saw_nothing(result_) && all_.decided == 0) {
       return fmt::format("Nothing was looked at: {} decided none of {} queries ({}), {}", plan_.kernel->id,
                          thousands(all_.asked()), not_decided_text(all_, may_decline()), what);
     }
-    if (met_no_number(result_)) {
-      return fmt::format("Nothing was looked at: {} gives no number of this kind beside any of {} answers, {}",
+    if (saw_nothing(result_)) {
+      return fmt::format("Nothing was looked at: {} gives none of what was searched beside any of {} answers, {}",
                          plan_.kernel->id, thousands(all_.decided), what);
     }
     const std::string others = not_decided_text(all_, may_decline());
@@ -87,10 +87,10 @@ class SearchReport {
   std::string nothing_found(const Aim& aim) const {
     const std::size_t i = index_of(aim);
     const std::uint64_t decided = result_.looked_at[i].decided, judged = result_.judged[i];
-    const bool is_number = aim.goal == Goal::number;
-    if ((is_number ? judged : decided) == 0) return "not looked at";
-    return is_number ? fmt::format("none among {} judged", thousands(judged))
-                     : fmt::format("none among {} decided", thousands(decided));
+    const bool is_of_a_part = is_about_a_part(aim.goal);
+    if ((is_of_a_part ? judged : decided) == 0) return "not looked at";
+    return is_of_a_part ? fmt::format("none among {} judged", thousands(judged))
+                        : fmt::format("none among {} decided", thousands(decided));
   }
 
   const Find* find(const Aim& aim) const {
@@ -257,7 +257,7 @@ class SearchReport {
 }  // namespace
 
 bool saw_nothing(const SearchResult& result) {
-  return search_looked_at(result).decided == 0 || met_no_number(result);
+  return result.finds.empty() && (search_looked_at(result).decided == 0 || met_no_part(result));
 }
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command) {

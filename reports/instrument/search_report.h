@@ -153,8 +153,8 @@ struct SearchData : DataHead<SearchData> {
 };
 
 InstrumentReport search_report(const SearchPlan& plan, const SearchResult& result, const std::string& command);
-// Whether it says nothing about the kernel: no query that was evaluated, or of the run before, was decided, or a search
-// for numbers alone met none.
+// Whether it says nothing about the kernel: no query that was evaluated, or of the run before, was decided, or all that
+// was searched is beside the verdict and no answer had it. With a find it does: sides may be given beside no verdict.
 bool saw_nothing(const SearchResult& result);
 // The witnesses as a query file, one for each find.
 std::string search_witnesses(const SearchResult& result);

@@ -9,6 +9,7 @@ from command import BUILD, Case, axiscert, schema_of
 
 CONTACT = {"id": "contact", "precision": "binary32", "a": [1, 0, 0], "b": [0, 1, 0], "c": [0, 0, 1], "p": [0, 0, 0], "r": 2}
 APART = {**CONTACT, "id": "apart", "r": 0.5}
+NO_QUERY = json.dumps({**CONTACT, "a": ["nan", 0, 0]}) + "\n"
 BOTH = "".join(json.dumps(query) + "\n" for query in (CONTACT, APART))
 QUICK = ("--plugin-seconds", "0.1")
 
@@ -144,6 +145,8 @@ class LookedAt(Case):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual([json.loads(line)["standing"] for line in done.stdout.splitlines()], standings, kernel)
             self.assertEqual("nothing was looked at: " in done.stderr, is_silent, done.stderr)
+        done = axiscert("check", "-", "--kernel", "published", stdin=NO_QUERY)
+        self.assertIn("nothing was looked at: published decided none of 1 queries (1 no_query)", done.stderr)
         shown = self.text("check", "-", "--kernel", promise("declines_contacts"), stdin=BOTH)
         self.assertIn("undecided (it declines)", shown)
         shown = self.text("check", "-", "--kernel", promise("answers_77"), stdin=BOTH)
