@@ -61,10 +61,13 @@ std::string kernels_table(const std::vector<KernelRecord>& kernels) {
     }
     has_limits |= evidence.outside != 0;
     has_depth |= deepest_missed != 0 || deepest_phantom != 0;
-    // No depth was measured of a kernel that decided nothing.
-    const auto deepest = [&](double depth) { return evidence.decided() == 0 ? std::string("-") : amount(depth, 3); };
+    // No depth was measured where it decided no query that it could have got wrong so.
+    const auto deepest = [&](FlipKind kind, double depth) {
+      return depth == 0 && evidence.decided_for(kind) == 0 ? std::string("-") : amount(depth, 3);
+    };
     rows.push_back({kernel.id, std::string(name(kernel.precision)), thousands(trials), thousands(missed),
-                    deepest(deepest_missed), thousands(phantom), deepest(deepest_phantom), thousands(undecided),
+                    deepest(FlipKind::false_separation, deepest_missed), thousands(phantom),
+                    deepest(FlipKind::false_contact, deepest_phantom), thousands(undecided),
                     thousands(evidence.invalid), thousands(evidence.unanswered), thousands(evidence.outside),
                     thousands(outside_wrong)});
     const bool is_undeclared = undecided != 0 && !kernel.may_decline;
@@ -108,7 +111,7 @@ std::string depths_table(const std::vector<KernelRecord>& kernels) {
     add_row(verdict.false_contact, "phantom", verdict.depths->false_contact);
     if (verdict.false_separation + verdict.false_contact == 0) continue;
     const std::string who = kernel_text(kernel);
-    for (const std::string& told : {engine_text(*total), bias_text(*total)}) {
+    for (const std::string& told : {engine_text(*total), bias_text(kernel, *total)}) {
       if (!told.empty()) sentences += fmt::format("{}: {}\n", who, told);
     }
   }

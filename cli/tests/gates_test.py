@@ -205,6 +205,16 @@ class NotJudged(GatesCase):
         if done.returncode == 1:
             self.assertIn("NOT JUDGED on queries/double.jsonl: no valid query", done.stderr)
 
+    def test_conservative_takes_a_contact(self):
+        for distance, code, said in ((20, 1, "NOT CHECKED: no query is a contact that it could miss"), (0, 0, "1 of 1 promised contacts looked at: met")):
+            queries = self.folder / "one.jsonl"
+            queries.write_text(json.dumps({"id": "q", "precision": "binary32", "a": [distance, 0, 0], "b": [distance, 1, 0],
+                                           "c": [distance + 1, 0, 0], "p": [0, 0, 0], "r": 1}))
+            done = axiscert("run", "--kernel", "published", "--queries", queries, "--precision", "binary32", "--require", "conservative",
+                            "--out", self.folder / f"out-{distance}")
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertIn(said, done.stdout + done.stderr)
+
     def test_two_spellings_of_a_path_are_one_kernel(self):
         kernel = self.built("build/my_kernel.so")
         done = self.judged("out", kernel, kernel.replace("/build/", "/build/./"))

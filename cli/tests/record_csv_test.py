@@ -35,19 +35,25 @@ def verdict_table(rows):
         count = {column: int(cell) for column, cell in row.items() if re.fullmatch(r"\d+", cell)}
         links = [f"{column.split('.')[-1]} {n:,}" for column, n in count.items() if column.startswith("verdict.links.") and n]
         valid = count["trials"] - count["truth.invalid"]
-        left = sum(count.get(f"verdict.{what}", 0) for what in ("undecided", "invalid", "unanswered", "outside_limits.trials"))
+        # Those that could be missed, and those that could be called contact, of a kernel to which touching is contact.
+        outside, outside_contact = (count.get(f"verdict.outside_limits.{what}", 0) for what in ("trials", "contact"))
+        contacts, declined = count["truth.contact"] - outside_contact, count["verdict.undecided_contact"]
+        kinds = {"false_separation": contacts - declined,
+                 "false_contact": valid - outside - contacts - (count["verdict.undecided"] - declined)}
 
-        def with_rate(n):
+        def figures(kind):
+            n, depth = count[f"verdict.{kind}"], amount(float(row[f"verdict.deepest_{kind}"]), 4)
             if n:
-                return f"{n:,} ({amount(1e6 * n / valid, 3)} per million)"
-            decided = min(count["base_triangles"], valid - left)
-            return f"0 (< {amount(1e6 * (1 - 0.05 ** (1 / decided)), 3)} per million, 95 %)" if decided else "not checked"
+                return [f"{n:,} ({amount(1e6 * n / valid, 3)} per million)", depth]
+            decided = max(0, kinds[kind] - count["verdict.invalid"] - count["verdict.unanswered"])
+            counted = min(count["base_triangles"], decided)
+            limit = f"0 (< {amount(1e6 * (1 - 0.05 ** (1 / counted)), 3)} per million, 95 %)" if counted else "not checked"
+            return [limit, depth if decided else "-"]
 
         table.append([row["kernel"], row["precision"], row["family"] + (" (exact arithmetic)" if row["exact_arithmetic"] == "true" else ""),
                       ", ".join(links) or "none", f"{count['trials']:,}",
                       *(f"{count[f'truth.{what}']:,}" for what in ("separated", "contact", "touching", "invalid")),
-                      with_rate(count["verdict.false_separation"]), amount(float(row["verdict.deepest_false_separation"]), 4),
-                      with_rate(count["verdict.false_contact"]), amount(float(row["verdict.deepest_false_contact"]), 4),
+                      *figures("false_separation"), *figures("false_contact"),
                       *(f"{count[f'verdict.{what}']:,}" for what in ("touching_flips", "undecided", "unanswered"))])
     return sorted(table)
 

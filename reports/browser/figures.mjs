@@ -199,6 +199,47 @@ test('says so where a record has no margins', async () => {
   await close();
 });
 
+// The stored kernel of verdicts, without a wrong one: it declines all contacts, and the separations too or not.
+function declining(name, separations) {
+  const into = folder(name);
+  const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));
+  record.kernels = record.kernels.filter(({id}) => id === '<script>');
+  Object.assign(record.plan, {kernels: ['<script>'], seed: 1, require: null});
+  record.witnesses = [];
+  const cleared = (figures) => {
+    for (const [member, value] of Object.entries(figures)) {
+      if (typeof value === 'number') figures[member] = 0;
+      else if (value !== null && typeof value === 'object') cleared(value);
+    }
+  };
+  for (const family of Object.values(record.kernels[0].families)) {
+    const {truth, verdict} = family;
+    cleared(verdict);
+    for (const [link, first] of Object.entries(verdict.first_by_link)) if (first === 0) verdict.first_by_link[link] = null;
+    if (family.classes) family.classes = {};
+    verdict.undecided_contact = truth.contact;
+    verdict.undecided_touching = truth.touching;
+    verdict.undecided = truth.contact + (separations ? truth.separated : 0);
+  }
+  fs.writeFileSync(path.join(into, 'record.json'), JSON.stringify(record));
+  render(into);
+  return into;
+}
+
+test('says nothing of a kind of query that got no verdict', async () => {
+  for (const separations of [true, false]) {
+    const {page, close} = await opened(declining(`declining-${separations}`, separations));
+    const metrics = await page.locator('#answer-cards .metric').allInnerTexts();
+    assert.match(metrics[0], /missed contacts\s*not checked\s*deepest: -/i);
+    assert.match(metrics[1], separations ? /phantom contacts\s*not checked\s*deepest: -/i : /phantom contacts\s*0\s*\(< [^]*deepest: 0/i);
+    const text = await page.locator('main').innerText();
+    assert.match(text, separations ? /Nothing was decided, so that nothing is known/ : /Nothing was wrong among 600 verdicts\./);
+    assert.match(text, separations ? /Without a verdict no link shows\./ : /No link broke one of its 600 verdicts\./);
+    assert.match(await page.locator('#answer-cards').evaluate((cards) => cards.textContent), /wrong on touching-/);
+    await close();
+  }
+});
+
 test('says by the class of the input why a kernel is wrong that shows only verdicts', async () => {
   const silent = folder('silent');
   const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));

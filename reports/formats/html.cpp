@@ -84,13 +84,15 @@ Json witness_card(const WitnessRecord& witness, const PlanRecord& plan) {
 
 Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
   Json data = json_of(kernel);
-  const auto limit = [&](const FamilyRecord& family) {
-    const double per_million = zero_limit_per_million(kernel, family);
-    return per_million < 0 ? Json(nullptr) : Json(per_million);
+  const auto put_limits = [&](Json& shown, const FamilyRecord& family) {
+    const auto limit = [](double per_million) { return per_million < 0 ? Json(nullptr) : Json(per_million); };
+    shown["zero_limit_per_million"] = limit(zero_limit_per_million(kernel, family));
+    for (const FlipKind kind : {FlipKind::false_separation, FlipKind::false_contact})
+      shown["zero_limits"][std::string(name(kind))] = limit(zero_limit_per_million(kernel, family, kind));
   };
   for (const auto& [family, result] : kernel.families) {
     Json& shown = data["families"][family];
-    shown["zero_limit_per_million"] = limit(result);
+    put_limits(shown, result);
     const VerdictTally& verdict = result.verdict;
     shown["lengths"] = {{"false_separation", length_words(family, verdict.farthest_false_separation.best(), plan)},
                         {"false_contact", length_words(family, verdict.farthest_false_contact.best(), plan)}};
@@ -107,12 +109,12 @@ Json kernel_data(const KernelRecord& kernel, const PlanRecord& plan) {
   if (!total) return data;
   Json& all = data["all"] = json_of(*total);
   all["verdict"].erase("first_by_link");  // places in a family cannot be added up
-  all["zero_limit_per_million"] = limit(*total);
+  put_limits(all, *total);
   const Evidence evidence = evidence_of(kernel);
   data["evidence_text"] = evidence_text(evidence, evidence.decided());
-  data["is_unanswered"] = evidence.decided() == 0;
+  data["decided"] = evidence.decided();
   data["engine_text"] = engine_text(*total);
-  data["bias_text"] = bias_text(*total);
+  data["bias_text"] = bias_text(kernel, *total);
   if (const std::optional<DepthTally>& depths = total->verdict.depths) {
     data["depths"] = {{"columns", depth_columns()},
                       {"false_separation", depth_counts(depths->false_separation)},

@@ -20,6 +20,13 @@ namespace {
 constexpr std::size_t table_witnesses = 10;
 
 std::string depth(double value) { return amount(value, 4); }
+// The deepest wrong verdict of a kind; "-" where no decided query could be one.
+std::string deepest_of(FlipKind kind, const KernelRecord& kernel, const FamilyRecord& family) {
+  const VerdictTally& verdict = family.verdict;
+  const double deepest =
+      (kind == FlipKind::false_separation ? verdict.deepest_false_separation : verdict.deepest_false_contact).best();
+  return deepest == 0 && evidence_of(kernel, family).decided_for(kind) == 0 ? "-" : depth(deepest);
+}
 std::string optional_amount(std::optional<double> value) { return value ? amount(*value, 4) : "none"; }
 
 // The broken links with their counts, as in "rounding 12, range 3"; "none" where there are none.
@@ -115,11 +122,12 @@ class MarkdownReport {
       } else {
         const FamilyRecord& total = *totals_[k];
         const VerdictTally& verdict = total.verdict;
-        cells.insert(cells.end(),
-                     {links(verdict.links), thousands(total.trials), with_rate(verdict.false_separation, kernel, total),
-                      depth(verdict.deepest_false_separation.best()), with_rate(verdict.false_contact, kernel, total),
-                      depth(verdict.deepest_false_contact.best()), thousands(verdict.undecided),
-                      thousands(verdict.invalid), thousands(verdict.unanswered)});
+        cells.insert(
+            cells.end(),
+            {links(verdict.links), thousands(total.trials), with_rate(FlipKind::false_separation, kernel, total),
+             deepest_of(FlipKind::false_separation, kernel, total), with_rate(FlipKind::false_contact, kernel, total),
+             deepest_of(FlipKind::false_contact, kernel, total), thousands(verdict.undecided),
+             thousands(verdict.invalid), thousands(verdict.unanswered)});
       }
       section.add_row(cells);
     }
@@ -181,9 +189,9 @@ class MarkdownReport {
                                         const FamilyRecord& result) const {
     const TruthCounts& truth = result.truth;
     const VerdictTally& verdict = result.verdict;
-    const auto deepest = [&](const Leaders<double>& by_depth, const Leaders<double>& by_length) {
+    const auto deepest = [&](FlipKind kind, const Leaders<double>& by_length) {
       const std::string length = length_words(family, by_length.best(), plan_);
-      return depth(by_depth.best()) + (length.empty() ? "" : ", " + length);
+      return deepest_of(kind, kernel, result) + (length.empty() ? "" : ", " + length);
     };
     return {markdown_text(kernel.id),
             std::string(name(kernel.precision)),
@@ -194,10 +202,10 @@ class MarkdownReport {
             thousands(truth.contact),
             thousands(truth.touching),
             thousands(truth.invalid),
-            with_rate(verdict.false_separation, kernel, result),
-            deepest(verdict.deepest_false_separation, verdict.farthest_false_separation),
-            with_rate(verdict.false_contact, kernel, result),
-            deepest(verdict.deepest_false_contact, verdict.farthest_false_contact),
+            with_rate(FlipKind::false_separation, kernel, result),
+            deepest(FlipKind::false_separation, verdict.farthest_false_separation),
+            with_rate(FlipKind::false_contact, kernel, result),
+            deepest(FlipKind::false_contact, verdict.farthest_false_contact),
             thousands(verdict.touching_flips),
             thousands(verdict.undecided),
             thousands(verdict.unanswered)};

@@ -88,7 +88,7 @@ std::string depths_section(const Record& record) {
     any = true;
     add_depth_rows(section, kernel, "all", *total);
     for (const auto& [family, result] : kernel.families) add_depth_rows(section, kernel, family, result);
-    for (const std::string& told : {engine_text(*total), bias_text(*total)}) {
+    for (const std::string& told : {engine_text(*total), bias_text(kernel, *total)}) {
       if (!told.empty())
         sentences += fmt::format("\n{} {}: {}.\n", markdown_text(kernel.id), name(kernel.precision), told);
     }

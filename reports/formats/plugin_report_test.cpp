@@ -152,13 +152,27 @@ TEST(PluginRecord, SaysToWhichSideAKernelErrs) {
     EXPECT_EQ(is_late ? radius.late : radius.early, radius.sampled);
     EXPECT_EQ(is_late ? radius.early : radius.late, 0u);
     EXPECT_EQ(radius.signed_median_ulps.value().value > 0, is_late);
-    EXPECT_THAT(bias_text(family),
+    EXPECT_THAT(bias_text(record.kernels[0], family),
                 HasSubstr(is_late ? "missed contacts alone; critical radius early on 0, late on 8"
                                   : "phantom contacts alone; critical radius early on 8, late on 0"));
     EXPECT_THAT(engine_text(family), HasSubstr(" on 2,048 engine-like queries"));
     const EngineTally& engine = family.verdict.engine.value();
     EXPECT_GT(is_late ? engine.false_separation() : engine.false_contact(), 0u);
   }
+}
+
+TEST(PluginReports, WithoutADecidedContactNothingIsSaidOfMissedOnes) {
+  Kernel kernel = black_box("plugin:mine.so", [](const Query<double>&, auto, Verdict& verdict, auto&) {
+    if (verdict == Verdict::contact) verdict = Verdict::undecided;
+  });
+  kernel.may_decline = true;
+  const TestFolder folder(json_of(record_with({&kernel}, {"general"}, 512)));
+  render_reports(folder.path());
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("| not checked | - | 0 (< "));
+  const Json shown = page_data(folder.read("report.html"))["kernels"][0];
+  EXPECT_TRUE(shown["all"]["zero_limits"]["false_separation"].is_null());
+  EXPECT_EQ(shown["decided"], shown["all"]["truth"]["separated"]);
+  EXPECT_THAT(shown["sentences"][0].get<std::string>(), testing::ContainsRegex("; 0 of [0-9]+ contacts decided$"));
 }
 
 // Right formulae in another order, or fused: what they round is not a fault of logic. A slip in them is one, and so is

@@ -52,6 +52,29 @@ LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowe
   return found;
 }
 
+// No contact is missed where there is none. The plain level looks at contacts alone, since no answer to another query
+// could break it.
+LevelFindings judge_conservative(const AskedLevel& asked, const Subject& subject, const AllowedDepths& allowed) {
+  LevelFindings found = asked.has_argument ? judge_to_depth(subject, allowed) : judge_depths(subject, allowed);
+  std::uint64_t contacts = 0, decided = 0;
+  for (const auto& [family, result] : subject.families()) {
+    const Evidence evidence = subject.evidence(result);
+    const std::uint64_t here = evidence.decided_for(FlipKind::false_separation);
+    decided += here;
+    contacts += subject.kernel().touching == TouchingPolicy::contact ? result.truth.contact
+                                                                     : result.truth.contact - result.truth.touching;
+    if (asked.has_argument) continue;
+    found.families[family] = {evidence.contacts, here};
+    if (here == 0 && evidence.promised() != 0) found.unseen.push_back(family);
+  }
+  if (contacts == 0 && found.not_checked.empty()) found.not_checked = "no query is a contact that it could miss";
+  if (!asked.has_argument) {
+    found.covers =
+        fmt::format("{} contacts of {}, each judged exactly", thousands(decided), subject.list_of_families());
+  }
+  return found;
+}
+
 void check_conservative(const AskedLevel& asked) {
   if (asked.has_argument) depth_argument(asked);
 }
@@ -91,19 +114,17 @@ extern const GateLevel exact_level = {.usage = "exact",
                                       .breaking = "are wrong",
                                       .badge = Badge{1, "#2e7d32"}};
 
-extern const GateLevel conservative_level = {.usage = "conservative[=D]",
-                                             .meaning = "no missed contact, no phantom contact deeper than D",
-                                             .check = check_conservative,
-                                             .sentence = conservative_sentence,
-                                             .judge =
-                                                 [](const AskedLevel& asked, const Subject& subject) {
-                                                   const AllowedDepths allowed = conservative_depths(asked);
-                                                   return asked.has_argument ? judge_to_depth(subject, allowed)
-                                                                             : judge_depths(subject, allowed);
-                                                 },
-                                             .allowed = conservative_depths,
-                                             .in_certificates = no_or_visible_depth,
-                                             .badge = Badge{2, "#2e7d32"}};
+extern const GateLevel conservative_level = {
+    .usage = "conservative[=D]",
+    .meaning = "no missed contact, no phantom contact deeper than D",
+    .check = check_conservative,
+    .sentence = conservative_sentence,
+    .judge = [](const AskedLevel& asked,
+                const Subject& subject) { return judge_conservative(asked, subject, conservative_depths(asked)); },
+    .allowed = conservative_depths,
+    .part = [](const AskedLevel& asked) -> const char* { return asked.has_argument ? nullptr : "contacts"; },
+    .in_certificates = no_or_visible_depth,
+    .badge = Badge{2, "#2e7d32"}};
 
 extern const GateLevel depth_level = {
     .usage = "depth=D",

@@ -110,8 +110,9 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
   std::uint64_t contacts = 0, separations = 0;
   for (const auto& [family, look] : found.families) {
     const TruthCounts& truth = subject.families().at(family).truth;
-    contacts += truth.contact - (all.touching == 0 ? 0 : truth.touching);
-    separations += truth.separated;
+    const TouchingPolicy touching = subject.kernel().touching;
+    contacts += truth.contact - (touching == TouchingPolicy::contact ? 0 : truth.touching);
+    separations += truth.separated + (touching == TouchingPolicy::separated ? truth.touching : 0);
   }
   const std::string missing = of_kind(all.contacts, all.declined_contacts, contacts, "contacts");
   return missing.empty() ? of_kind(all.separations, all.declined_separations, separations, "separations") : missing;

@@ -223,6 +223,30 @@ TEST(LookedAt, LimitsThatLeaveOneKindOfAnswerAreNoEvidence) {
   expect_at_each(record, LevelState::not_checked, "0 of 6,000 exact separations were decided");
 }
 
+TEST(LookedAt, ConservativeLooksAtContactsAndIsNotCheckedWithoutAny) {
+  EXPECT_EQ(judged_at(right_kernel(), "conservative").text(),
+            "<script> binary32: conservative: 4,000 of 4,000 promised contacts looked at: met");
+  EXPECT_THAT(judged_at(right_kernel(), "conservative").covers, HasSubstr("4,000 contacts of "));
+  Json record = right_kernel();
+  for (const char* family : {"lattice", "tangent"})
+    family_of(record, family)["truth"] = {{"separated", 5000}, {"contact", 0}, {"touching", 0}, {"invalid", 0}};
+  EXPECT_EQ(judged_at(record, "exact").state, LevelState::met);
+  for (const std::string level : {"conservative", "conservative=1"}) {
+    EXPECT_EQ(judged_at(record, level).state, LevelState::not_checked);
+    EXPECT_THAT(judged_at(record, level).reason, HasSubstr("no query is a contact that it could miss"));
+  }
+  family_of(record)["truth"] = {{"separated", 4000}, {"contact", 1000}, {"touching", 1000}, {"invalid", 0}};
+  const LevelOutcome found = judged_at(record, "conservative");
+  EXPECT_EQ(found.state, LevelState::met);
+  EXPECT_EQ(found.looked_at, 1000u);
+  EXPECT_EQ(found.unseen, std::vector<std::string>{"tangent"});
+  for (const char* touching : {"separated", "either"}) {
+    kernel_of(record)["touching"] = touching;
+    EXPECT_EQ(judged_at(record, "conservative").state, LevelState::not_checked) << touching;
+    EXPECT_EQ(judged_at(record, "exact").state, LevelState::met) << touching;
+  }
+}
+
 TEST(LookedAt, HalfOfTheContactsAndOfTheSeparationsOfEachFamilyHaveToBeDecided) {
   const auto with = [](std::uint64_t contacts, std::uint64_t separations) {
     Json record = right_kernel();

@@ -158,7 +158,9 @@ struct GateLevel {
   AllowedDepths (*allowed)(const AskedLevel&) = nullptr;
   bool is_about_causes = false;    // of wrong verdicts: met where none is wrong
   const char* looks_at = nullptr;  // queries beyond the kernel's promise, in words; null: those that it promises
-  bool asks_itself = false;        // it looks at queries of its own, and at no family
+  // In words, the promised queries that alone could break it, where it looks at no others; null: it looks at all.
+  const char* (*part)(const AskedLevel&) = nullptr;
+  bool asks_itself = false;  // it looks at queries of its own, and at no family
   // Whether a value of a property of a diagnosis says that the level is not met; null where none can.
   bool (*is_denied_by)(const AskedLevel&, std::string_view property, std::string_view value) = nullptr;
   // The share that each family has to decide for the other levels too. Throws Error that says what would be right.

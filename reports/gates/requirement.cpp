@@ -196,7 +196,9 @@ std::string LevelOutcome::looked_text() const {
   const char* const others = level_of(asked).looks_at;
   if (others != nullptr)
     return fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others);
-  return evidence_text(evidence, looked_at);
+  const auto part_of = level_of(asked).part;
+  const char* const part = part_of == nullptr ? nullptr : part_of(asked);
+  return part == nullptr ? evidence_text(evidence, looked_at) : evidence_text(evidence, looked_at, concerned, part);
 }
 
 std::string LevelOutcome::text() const {

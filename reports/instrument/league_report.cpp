@@ -26,13 +26,17 @@ std::string counts_per_million(std::uint64_t count, std::uint64_t of) {
   return rate < 999.5 ? fmt::format("{:.3g}", rate) : fmt::format("{:.3g}k", rate / 1000);
 }
 
-// The rates "missed/phantom" of the decided queries, followed by what else there was: d, n, u and o with the numbers of
-// those that it declined, called `invalid`, did not answer, or that are outside its limits.
-std::string family_cell(const Tally& tally) {
+// The rates "missed/phantom" of the decided queries, "-" where none of these could be wrong so, followed by what else
+// there was: d, n, u and o with the numbers of those that it declined, called `invalid`, did not answer, or that are
+// outside its limits.
+std::string family_cell(const Kernel& kernel, const Tally& tally) {
   const std::uint64_t of = decided(tally);
+  const auto rate = [&](FlipKind kind, std::uint64_t count) {
+    return decided_for(kind, kernel, tally) == 0 ? "-" : counts_per_million(count, of);
+  };
   std::string cell = of == 0 ? "none decided"
-                             : counts_per_million(tally.verdict.false_separation, of) + "/" +
-                                   counts_per_million(tally.verdict.false_contact, of);
+                             : rate(FlipKind::false_separation, tally.verdict.false_separation) + "/" +
+                                   rate(FlipKind::false_contact, tally.verdict.false_contact);
   const auto add = [&](char letter, std::uint64_t count) {
     if (count != 0) cell += fmt::format(" {}{}", letter, count);
   };
@@ -104,7 +108,8 @@ class LeagueReport {
         "degenerate is collinear and repeated; resting is tangent, on and tie; scene has the sizes of a game, in "
         "metres.",
         "By family: missed/phantom, the contacts that are missed and those that are invented, for a million decided "
-        "queries. Then numbers of queries: d: it declined. n: it called them `invalid`. u: no answer, since the "
+        "queries; -: no contact, or no separation, was decided. Then numbers of queries: d: it declined. n: it called "
+        "them `invalid`. u: no answer, since the "
         "library "
         "crashed or hung on them, or did so too often in their unit to be called again. o: outside its limits.",
         "Touching is judged by the convention that each declares; where it declares none, neither answer is wrong.",
@@ -157,7 +162,8 @@ class LeagueReport {
     put_headings(table, 1);
     for_each_contender(precision, [&](std::size_t k) {
       auto& row = table.rows.emplace_back(std::vector<std::string>{league_.kernels[k]->id});
-      for_each_cell(k, precision, [&](const Source&, const Tally& tally) { row.push_back(family_cell(tally)); });
+      for_each_cell(k, precision,
+                    [&](const Source&, const Tally& tally) { row.push_back(family_cell(*league_.kernels[k], tally)); });
     });
     return table;
   }
@@ -177,12 +183,14 @@ class LeagueReport {
     std::fill_n(table.heading_of.begin() + 1, 9, 1);
     for_each_contender(precision, [&](std::size_t k) {
       const Tally all = sum(k, precision);
-      const std::uint64_t said = decided(all);
+      const std::uint64_t contacts = decided_for(FlipKind::false_separation, *league_.kernels[k], all),
+                          separations = decided_for(FlipKind::false_contact, *league_.kernels[k], all);
       const auto radius = radii(sizes(all.critical_radius.errors_ulps), all.critical_radius.unbounded);
       auto& row = table.rows.emplace_back(std::vector<std::string>{
-          league_.kernels[k]->id, thousands(said), wrong_count(all.verdict.false_separation, said),
-          deepest(all.verdict.deepest_false_separation.best(), said), wrong_count(all.verdict.false_contact, said),
-          deepest(all.verdict.deepest_false_contact.best(), said), thousands(all.verdict.undecided),
+          league_.kernels[k]->id, thousands(decided(all)), wrong_count(all.verdict.false_separation, contacts),
+          deepest(all.verdict.deepest_false_separation.best(), contacts),
+          wrong_count(all.verdict.false_contact, separations),
+          deepest(all.verdict.deepest_false_contact.best(), separations), thousands(all.verdict.undecided),
           thousands(all.verdict.invalid), thousands(all.verdict.unanswered),
           thousands(all.verdict.outside_limits->trials), radius.median, radius.largest,
           thousands(count_of(all, FindingKind::hang)), thousands(count_of(all, FindingKind::crash)),
@@ -313,11 +321,13 @@ class LeagueReport {
     LeagueFamilyData data;
     data.trials = tally.trials;
     data.decided = decided(tally);
-    if (data.decided != 0) {
+    if (data.decided != 0) data.touching_flips = verdict.touching_flips;
+    if (decided_for(FlipKind::false_separation, kernel, tally) != 0) {
       data.false_separation = verdict.false_separation;
-      data.false_contact = verdict.false_contact;
-      data.touching_flips = verdict.touching_flips;
       data.deepest_false_separation = verdict.deepest_false_separation.best();
+    }
+    if (decided_for(FlipKind::false_contact, kernel, tally) != 0) {
+      data.false_contact = verdict.false_contact;
       data.deepest_false_contact = verdict.deepest_false_contact.best();
     }
     data.undecided = verdict.undecided;

@@ -58,12 +58,12 @@ struct LeagueFamilyData {
   AXISCERT_FIELDS(
       LeagueFamilyData, AXISCERT_FIELD(trials, "Queries."),
       AXISCERT_FIELD(decided, "Valid queries within its limits on which it said contact or separated."),
-      AXISCERT_FIELD(false_separation, "Missed contacts; null: none was decided."),
-      AXISCERT_FIELD(false_contact, "Phantom contacts; null: none was decided."),
-      AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch; null: none was decided."),
+      AXISCERT_FIELD(false_separation, "Missed contacts; null: no contact was decided."),
+      AXISCERT_FIELD(false_contact, "Phantom contacts; null: no separation was decided."),
+      AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch; null: no query was decided."),
       AXISCERT_FIELD(
           deepest_false_separation,
-          "The depth of the deepest missed contact, as a share of the scene; 0: none; null: none was decided."),
+          "The depth of the deepest missed contact, as a share of the scene; 0: none; null: no contact was decided."),
       AXISCERT_FIELD(deepest_false_contact, "The same of phantom contacts."), AXISCERT_FIELD(undecided, "It declined."),
       AXISCERT_FIELD(invalid, "It called a query invalid."), AXISCERT_FIELD(unanswered, "It gave no answer."),
       AXISCERT_FIELD(outside_limits, "Valid queries outside its limits, whatever it said."),
@@ -161,6 +161,8 @@ InstrumentReport league_report(const League& league, const CampaignResult& resul
 
 // Number of queries within the kernel's limits on which it said contact or separated.
 std::uint64_t decided(const Tally& tally);
+// Those among them that could be wrong in this way by what the kernel promises, and no fewer than are wrong.
+std::uint64_t decided_for(FlipKind kind, const Kernel& kernel, const Tally& tally);
 
 // The answer to "may I trust it?", and the counts that it rests on.
 struct Trust {
@@ -190,8 +192,8 @@ InstrumentTable trust_table(const League& league, const CampaignResult& result, 
 // scene and, for each precision, who is right.
 InstrumentFirst league_first(const League& league, const CampaignResult& result);
 
-// "0.25"; "none of 4,096" where none was wrong; "not measured" where none was decided.
-std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest);
+// "0.25"; "none of 4,096" contacts where none was missed; "not measured" where none was decided.
+std::string depth_text(std::uint64_t missed, std::uint64_t contacts, double deepest);
 
 // The worst query of a contender of the league: where it is, how wrong, and code to ask the engine by hand.
 

@@ -103,6 +103,28 @@ TEST(LeagueTrust, HasNoDeepestMissWhereNothingWasDecided) {
   EXPECT_EQ(depth_text(3, 4096, 0.25), "0.25");
 }
 
+TEST(LeagueTrust, CountsForEachSideWhatCouldBeWrongThere) {
+  constexpr FlipKind missed = FlipKind::false_separation, invented = FlipKind::false_contact;
+  Tally tally = tally_of(100, 0, 0);
+  tally.truth.touching = 10;
+  tally.verdict.undecided = 43;
+  tally.verdict.undecided_contact = 40;
+  tally.verdict.undecided_touching = 4;
+  Kernel kernel = made_kernel(true);
+  EXPECT_EQ(decided_for(missed, kernel, tally), 10u);
+  EXPECT_EQ(decided_for(invented, kernel, tally), 47u);
+  kernel.touching = TouchingPolicy::separated;
+  EXPECT_EQ(decided_for(missed, kernel, tally), 4u) << "six touching ones have to be separated";
+  EXPECT_EQ(decided_for(invented, kernel, tally), 53u);
+  kernel.touching = TouchingPolicy::either;
+  EXPECT_EQ(decided_for(missed, kernel, tally), 4u);
+  EXPECT_EQ(decided_for(invented, kernel, tally), 47u);
+  tally.verdict.unanswered = 47;
+  EXPECT_EQ(decided_for(invented, kernel, tally), 0u) << "these may have been the separations";
+  tally.verdict.false_contact = 1;
+  EXPECT_EQ(decided_for(invented, kernel, tally), 1u);
+}
+
 TEST(LeagueTrust, HasAFamilyOfEveryGroup) {
   std::vector<SourcePtr> sources;
   for (const Family* family : families()) sources.push_back(family_source(*family));
@@ -151,8 +173,22 @@ TEST(LeagueWorst, IsTheDeepestMissBeforeAnyInventedContact) {
   run.result.cells[1].tallies[0].verdict.deepest_false_separation = Leaders<double>(3);
   EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "invented");
   run.result.cells[1].tallies[0].verdict.deepest_false_contact = Leaders<double>(3);
-  EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "none of 128") << "it says among how many";
-  for (CellResult& cell : run.result.cells) cell.tallies[0].verdict.undecided = 64;
+  for (CellResult& cell : run.result.cells)
+    cell.tallies[0].verdict.false_separation = cell.tallies[0].verdict.false_contact = 0;
+  const auto said = [&] { return worst_table(run.league, run.result).rows[0][2]; };
+  EXPECT_EQ(said(), "none of 64 contacts and 64 separations") << "it says among how many";
+  const auto decline = [&](std::uint64_t contacts, std::uint64_t separations) {
+    for (CellResult& cell : run.result.cells) {
+      cell.tallies[0].verdict.undecided = contacts + separations;
+      cell.tallies[0].verdict.undecided_contact = contacts;
+    }
+  };
+  decline(32, 0);
+  EXPECT_EQ(said(), "none of 64 separations, and no contact decided");
+  EXPECT_EQ(trust_table(run.league, run.result, Precision::binary32).rows[0].back(), "not measured");
+  decline(0, 32);
+  EXPECT_EQ(said(), "none of 64 contacts, and no separation decided");
+  decline(32, 32);
   EXPECT_EQ(worst_table(run.league, run.result).rows[0][2], "not looked at");
   EXPECT_EQ(undecided_contenders(run.league, run.result).size(), 1u);
 }

@@ -29,6 +29,12 @@ std::optional<TrustGroup> trust_group_of(const SourcePtr& source) {
 
 std::uint64_t decided(const Tally& tally) { return looked_at_of(tally).decided; }
 
+std::uint64_t decided_for(FlipKind kind, const Kernel& kernel, const Tally& tally) {
+  const VerdictTally& verdict = tally.verdict;
+  const std::uint64_t wrong = kind == FlipKind::false_separation ? verdict.false_separation : verdict.false_contact;
+  return std::max(wrong, evidence_of(kernel.touching, tally).decided_for(kind));
+}
+
 namespace {
 
 // "812 of 16,384 missed, 3 invented".
@@ -120,7 +126,8 @@ InstrumentTable trust_table(const League& league, const CampaignResult& result, 
       row.push_back(trust_in(kernel, tally_of_group(league, result, k, precision, group)).text());
     }
     const Tally all = tally_of_group(league, result, k, precision, std::nullopt);
-    row.push_back(depth_text(all.verdict.false_separation, decided(all), all.verdict.deepest_false_separation.best()));
+    row.push_back(depth_text(all.verdict.false_separation, decided_for(FlipKind::false_separation, kernel, all),
+                             all.verdict.deepest_false_separation.best()));
   }
   return table;
 }
@@ -174,9 +181,9 @@ InstrumentFirst league_first(const League& league, const CampaignResult& result)
   return first;
 }
 
-std::string depth_text(std::uint64_t wrong, std::uint64_t decided, double deepest) {
-  if (decided == 0) return "not measured";
-  if (wrong == 0) return fmt::format("none of {}", thousands(decided));
+std::string depth_text(std::uint64_t missed, std::uint64_t contacts, double deepest) {
+  if (contacts == 0) return "not measured";
+  if (missed == 0) return fmt::format("none of {}", thousands(contacts));
   return deepest == 0 ? "0" : fmt::format("{:.3g}", deepest);
 }
 

@@ -41,6 +41,16 @@ long double size_of_scene(const Numbers<Real>& q) {
 
 const char* kind_of(const WorstQuery& worst) { return worst.is_missed ? "missed" : "invented"; }
 
+// "none of 60 contacts and 68 separations"; a kind without a verdict is no part of that.
+std::string none_words(const Kernel& kernel, const Tally& tally) {
+  const std::uint64_t contacts = decided_for(FlipKind::false_separation, kernel, tally),
+                      separations = decided_for(FlipKind::false_contact, kernel, tally);
+  if (contacts + separations == 0) return "not looked at";
+  if (contacts == 0) return fmt::format("none of {} separations, and no contact decided", thousands(separations));
+  if (separations == 0) return fmt::format("none of {} contacts, and no separation decided", thousands(contacts));
+  return fmt::format("none of {} contacts and {} separations", thousands(contacts), thousands(separations));
+}
+
 std::string judging_commands(const WorstQuery& worst, const std::string& address) {
   return fmt::format("axiscert query {} > worst.jsonl\naxiscert check worst.jsonl --kernel {}\n", shell_word(address),
                      shell_word(worst.kernel->id));
@@ -151,9 +161,9 @@ InstrumentTable worst_table(const League& league, const CampaignResult& result) 
       const std::optional<WorstQuery> found = worst_of(league, result, k, precision);
       if (!league.kernels[k]->has(precision)) continue;
       if (!found) {
-        const std::uint64_t said = decided(tally_of_group(league, result, k, precision, std::nullopt));
-        table.rows.push_back({league.kernels[k]->id, std::string(name(precision)),
-                              said == 0 ? "not looked at" : fmt::format("none of {}", thousands(said)), "", "", ""});
+        table.rows.push_back(
+            {league.kernels[k]->id, std::string(name(precision)),
+             none_words(*league.kernels[k], tally_of_group(league, result, k, precision, std::nullopt)), "", "", ""});
         continue;
       }
       table.rows.push_back({league.kernels[k]->id, std::string(name(precision)), kind_of(*found), found->source->name(),

@@ -29,14 +29,15 @@ function magnitude(error) {
   return Number(exponent) + Math.log10(Number(mantissa));
 }
 
-// "0 (< 11.4 per million, 95 %)": `family` contains its trials, its truth and its limit for zero failures.
-function rate(n, family) {
+// "0 (< 11.4 per million, 95 %)": `family` contains its trials, its truth and its limits for zero failures; `wrong` is a
+// kind of wrong verdict, which not every query can be.
+function rate(n, family, wrong) {
   if (n > 0) {
     const valid = family.trials - family.truth.invalid - (family.verdict.outside_limits?.trials ?? 0);
     return [count(n), `(${amount(1e6 * n / valid, 3)} per million)`];
   }
-  if (family.zero_limit_per_million === null) return ['not checked', ''];
-  return ['0', `(< ${amount(family.zero_limit_per_million, 3)} per million, 95 %)`];
+  const limit = wrong ? family.zero_limits[wrong] : family.zero_limit_per_million;
+  return limit === null ? ['not checked', ''] : ['0', `(< ${amount(limit, 3)} per million, 95 %)`];
 }
 
 // A record's name, which may wrap after an underscore or a slash, or elsewhere.
@@ -65,8 +66,8 @@ const column = {
     td.append(error_amount(value));
     if (value === 0) td.classList.add('zero');
   }}),
-  rate: (label, get, family, more) => ({label, get, numeric: true, ...more, cell: (td, value, row) => {
-    const [number, limit] = rate(value, family(row));
+  rate: (wrong, get, family, more) => ({label: wrong, get, numeric: true, ...more, cell: (td, value, row) => {
+    const [number, limit] = rate(value, family(row), wrong);
     td.append(number, el('small', '', limit));
     td.classList.add('rate', value > 0 ? more?.alarm ?? 'bad' : 'zero');
   }}),

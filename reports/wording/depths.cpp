@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {
@@ -49,12 +50,17 @@ std::string depths_text(const DecadeCounts& decades) {
 std::string engine_text(const FamilyRecord& family) {
   if (!family.verdict.engine) return "";
   const EngineTally& engine = *family.verdict.engine;
-  return fmt::format("{} missed and {} phantom contacts on {} engine-like queries",
-                     thousands(engine.false_separation()), thousands(engine.false_contact()),
-                     thousands(engine.queries));
+  // Touching ones among them are of no matter to what it promises of touch: each counts that got a verdict.
+  const Evidence all = evidence_of(TouchingPolicy::contact, family);
+  const std::uint64_t decided = std::min(engine.queries, all.decided());
+  if (decided == 0) return fmt::format("none of {} engine-like queries decided", thousands(engine.queries));
+  return fmt::format(
+      "{} missed and {} phantom contacts on {} engine-like queries{}", thousands(engine.false_separation()),
+      thousands(engine.false_contact()), thousands(engine.queries),
+      decided < engine.queries ? fmt::format(", of which it decided at most {}", thousands(decided)) : "");
 }
 
-std::string bias_text(const FamilyRecord& family) {
+std::string bias_text(const KernelRecord& kernel, const FamilyRecord& family) {
   const std::uint64_t missed = family.verdict.false_separation, phantom = family.verdict.false_contact;
   const CriticalRadiusRecord& radius = family.critical_radius;
   std::vector<std::string> parts;
@@ -65,7 +71,13 @@ std::string bias_text(const FamilyRecord& family) {
     parts.push_back(phantom >= missed ? fmt::format("{} phantom contacts for each missed one", ratio(phantom, missed))
                                       : fmt::format("{} missed contacts for each phantom one", ratio(missed, phantom)));
   } else if (missed + phantom != 0) {
-    parts.push_back(missed != 0 ? "missed contacts alone" : "phantom contacts alone");
+    // Those of the other kind could have been wrong the other way, where they were decided.
+    const FlipKind other = missed != 0 ? FlipKind::false_contact : FlipKind::false_separation;
+    const Evidence evidence = evidence_of(kernel, family);
+    const std::uint64_t decided = evidence.decided_for(other);
+    const bool is_whole = decided != 0 && decided == evidence.promised_for(other);
+    parts.push_back(fmt::format("{} contacts alone{}", missed != 0 ? "missed" : "phantom",
+                                is_whole ? "" : ", with " + decided_text(evidence, other)));
   }
   if (radius.sampled != 0) {
     std::string text = fmt::format("critical radius early on {}, late on {} of {}", thousands(radius.early),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fuzz/record/family_record.h"
+#include "fuzz/record/kernel_record.h"
 
 namespace axiscert {
 // The columns of a table of depths, shares of the scene, each from its name to the next one's: "zero", "< 1e-8",
@@ -17,11 +18,12 @@ std::vector<std::uint64_t> depth_counts(const DecadeCounts& decades);
 // "zero: 3, 1e-8: 12": the columns that are not zero; "none".
 std::string depths_text(const DecadeCounts& decades);
 // "12 missed and 3 phantom contacts on 1,234 engine-like queries", of a kernel's families combined (all_families) or of
-// one family; empty where these were not counted.
+// one family; empty where these were not counted. Then ", of which it decided at most 34" where it left some queries
+// without a verdict: the record does not say which.
 std::string engine_text(const FamilyRecord& family);
-// "4 phantom contacts for each missed one; critical radius early on 3, late on 1 of 512, signed median -0.5 ulps";
-// empty where nothing is wrong and no radius was measured.
-std::string bias_text(const FamilyRecord& family);
+// "4 phantom contacts for each missed one; critical radius early on 3, late on 1 of 512, signed median -0.5 ulps", or
+// "phantom contacts alone, with 0 of 900 contacts decided"; empty where nothing is wrong and no radius was measured.
+std::string bias_text(const KernelRecord& kernel, const FamilyRecord& family);
 
 // What kernels say beside their verdicts, as rows of a table: of motions how late, how early, and how deep that lets
 // the sphere in; else how far separations, normals and points are off.

@@ -1,6 +1,7 @@
 // The row of a kernel's first contacts: numbers as a record has them, and dashes for what the kernel does not give.
 #include "fuzz/fields/json_form.h"
 #include "reports/wording/depths.h"
+#include "reports/wording/evidence.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,33 @@ TEST(MotionWords, AKernelWithoutTimesHasARowWhereItMisses) {
   EXPECT_THAT(contact_cells(family_of(std::nullopt, 0.75)),
               ElementsAre("1,200", "-", "-", "-", "-", "-", "-", "-", "0.25 (7)", "-", "0", "0.75"));
   EXPECT_TRUE(contact_cells(FamilyRecord()).empty()) << "a predicate without measures";
+}
+
+// 600 contacts and 400 separations, all of them engine-like.
+FamilyRecord sides() {
+  FamilyRecord family;
+  family.trials = family.base_triangles = 1000;
+  family.truth = {400, 600, 0, 0};
+  family.verdict.engine->queries = 1000;
+  return family;
+}
+
+TEST(SideWords, NothingIsSaidOfASideThatGotNoVerdict) {
+  KernelRecord kernel;
+  FamilyRecord family = sides();
+  family.verdict.false_contact = 20;
+  EXPECT_EQ(bias_text(kernel, family), "phantom contacts alone");
+  EXPECT_EQ(engine_text(family), "0 missed and 0 phantom contacts on 1,000 engine-like queries");
+  EXPECT_EQ(with_rate(FlipKind::false_separation, kernel, family), "0 (< 4,980 per million, 95 %)")
+      << "600 contacts, not 1,000 queries";
+  family.verdict.undecided = family.verdict.undecided_contact = 600;
+  EXPECT_EQ(bias_text(kernel, family), "phantom contacts alone, with 0 of 600 contacts decided");
+  EXPECT_EQ(engine_text(family),
+            "0 missed and 0 phantom contacts on 1,000 engine-like queries, of which it decided at most 400");
+  EXPECT_EQ(with_rate(FlipKind::false_separation, kernel, family), "not checked");
+  EXPECT_EQ(with_rate(FlipKind::false_contact, kernel, family), "20 (20,000 per million)");
+  family.verdict.undecided = 1000;
+  EXPECT_EQ(engine_text(family), "none of 1,000 engine-like queries decided");
 }
 
 TEST(BodyWords, WhatWasJudgedOnNoAnswerHasNoFigure) {

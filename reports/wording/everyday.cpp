@@ -17,9 +17,10 @@ constexpr EnumArray<FamilyGroup, std::string_view> asked_words = {
     "everyday scenes", "of your own queries", "queries that nothing rounds",
     "other queries (random, touching, degenerate, huge, tiny)"};
 
-// "27 contacts invented, worst 16.6 cm (scene-edge)", or "none invented".
-std::string side_text(std::uint64_t count, const char* what, const std::string& worst, const std::string& family) {
-  if (count == 0) return fmt::format("none {}", what);
+// "27 contacts invented, worst 16.6 cm (scene-edge)", or "none invented", of the queries that could be.
+std::string side_text(std::uint64_t count, std::uint64_t could_be, const char* what, const std::string& worst,
+                      const std::string& family) {
+  if (count == 0) return could_be == 0 ? fmt::format("{}: not checked", what) : fmt::format("none {}", what);
   return fmt::format("{} {} {}, worst {} ({})", thousands(count), count == 1 ? "contact" : "contacts", what, worst,
                      family);
 }
@@ -86,18 +87,28 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
 }
 
 std::string group_text(FamilyGroup group, const GroupResult& result, const LengthUnit* unit) {
+  const Evidence& evidence = result.evidence;
+  const std::uint64_t contacts = evidence.decided_for(FlipKind::false_separation),
+                      separations = evidence.decided_for(FlipKind::false_contact);
   const std::string missed =
-                        side_text(result.missed, "missed",
+                        side_text(result.missed, contacts, "missed",
                                   size_text(group, result.worst_missed, result.deepest_missed, unit), result.missed_in),
-                    invented = side_text(result.invented, "invented",
+                    invented = side_text(result.invented, separations, "invented",
                                          size_text(group, result.worst_invented, result.deepest_invented, unit),
                                          result.invented_in);
-  std::string text = fmt::format("{} {}: ", thousands(result.looked_at), asked_words[group]);
-  if (result.no_answer == result.looked_at) return text + "no verdict";
+  std::string text = fmt::format("{} {}: ", thousands(evidence.promised()), asked_words[group]);
+  if (evidence.decided() == 0) return text + "no verdict";
   if (result.missed + result.invented == 0) text += "no wrong verdict";
   else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
   if (has_lengths(group)) text += contacts_text(group, result, unit);
-  if (result.no_answer != 0) text += fmt::format("; {} without a verdict", thousands(result.no_answer));
+  const std::uint64_t no_answer = evidence.declined() + evidence.invalid + evidence.unanswered;
+  if (no_answer == 0) return text;
+  text += fmt::format("; {} without a verdict", thousands(no_answer));
+  for (const FlipKind kind : {FlipKind::false_separation, FlipKind::false_contact}) {
+    const bool are_few = declines_too_many(evidence.promised_for(kind) - evidence.decided_for(kind),
+                                           evidence.promised_for(kind), least_decided_share);
+    if (are_few) text += "; " + decided_text(evidence, kind);
+  }
   return text;
 }
 
@@ -130,10 +141,9 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
     const Evidence evidence = evidence_of(kernel, result);
     if (evidence.promised() == 0) continue;
     ++out.families;
-    out.looked_at += evidence.promised();
+    out.evidence.add(evidence);
     out.missed += verdict.false_separation;
     out.invented += verdict.false_contact;
-    out.no_answer += evidence.declined() + evidence.invalid + evidence.unanswered;
     const auto offer = [&, family = family](double length, double depth, double& farthest, double& deepest,
                                             std::string& in) {
       if (length > farthest || in.empty()) in = family;

@@ -9,6 +9,7 @@
 #include "fuzz/record/kernel_record.h"
 #include "fuzz/record/plan_record.h"
 #include "fuzz/record/record.h"
+#include "reports/wording/evidence.h"
 
 namespace axiscert {
 
@@ -34,8 +35,8 @@ std::string length_words(std::string_view family, double length, const PlanRecor
 
 // The results on the families of one group, merged.
 struct GroupResult {
-  std::uint64_t looked_at = 0;  // valid queries within the kernel's limits
-  std::uint64_t missed = 0, invented = 0, no_answer = 0;
+  Evidence evidence;
+  std::uint64_t missed = 0, invented = 0;
   double worst_missed = 0, worst_invented = 0;      // lengths in the queries' unit
   double deepest_missed = 0, deepest_invented = 0;  // shares of the scene
   std::string missed_in, invented_in;               // the families of the worst lengths

@@ -55,6 +55,30 @@ TEST(Everyday, ComesFirstInMetres) {
   EXPECT_THAT(first_sentences(kernel, plan)[1], testing::HasSubstr("worst 5 mm"));
 }
 
+TEST(Everyday, SaysWhichKindGotTooFewVerdicts) {
+  FamilyRecord family = family_of(0, 0, 20, 0.166);
+  VerdictTally& verdict = family.verdict;
+  const auto said = [&] { return first_sentences(kernel_of({{"scene-walk", family}}), PlanRecord()).front(); };
+  const std::string invented =
+      "1,000 everyday scenes: 20 contacts invented, worst 16.6 cm, 0.125 of the scene "
+      "(scene-walk); ";
+  verdict.undecided = verdict.undecided_contact = 300;
+  EXPECT_EQ(said(), invented + "none missed; 300 without a verdict");
+  verdict.undecided = verdict.undecided_contact = 600;
+  EXPECT_EQ(said(), invented + "missed: not checked; 600 without a verdict; 0 of 600 contacts decided");
+  family = family_of(0, 0, 0, 0);
+  verdict.undecided = 966;
+  verdict.undecided_contact = 600;
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; 966 without a verdict; 0 of 600 contacts decided; 34 of "
+            "400 separations decided");
+  verdict.undecided = verdict.undecided_contact = 0;
+  verdict.unanswered = 500;
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; 500 without a verdict; at least 100 of 600 contacts "
+            "decided; at least 0 of 400 separations decided");
+}
+
 TEST(Everyday, SaysThatNoTimeIsOffWhereTheKernelGivesThem) {
   FamilyRecord family = family_of(0, 0, 0, 0);
   family.contacts.emplace().time->best = 11;

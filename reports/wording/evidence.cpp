@@ -19,6 +19,10 @@ std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std:
 }  // namespace
 
 std::uint64_t Evidence::decided() const { return without(promised(), declined() + invalid + unanswered); }
+std::uint64_t Evidence::decided_for(FlipKind kind) const {
+  const std::uint64_t declines = kind == FlipKind::false_separation ? declined_contacts : declined_separations;
+  return without(promised_for(kind), declines + invalid + unanswered);
+}
 void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
 
 namespace {
@@ -26,16 +30,18 @@ namespace {
 Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthCounts& truth,
                      const VerdictTally& verdict) {
   const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
-  const bool promises_touch = touching != TouchingPolicy::either;
   Evidence evidence;
   evidence.population = without(trials, truth.invalid);
   evidence.outside = beyond.trials;
-  evidence.touching = promises_touch ? 0 : without(truth.touching, beyond.touching);
-  evidence.contacts = without(without(truth.contact, beyond.contact), evidence.touching);
+  const std::uint64_t touch = without(truth.touching, beyond.touching);
+  const bool touch_is_contact = touching == TouchingPolicy::contact;
+  evidence.touching = touching == TouchingPolicy::either ? touch : 0;
+  evidence.contacts = without(without(truth.contact, beyond.contact), touch_is_contact ? 0 : touch);
   evidence.separations =
       without(without(without(evidence.population, evidence.outside), evidence.touching), evidence.contacts);
-  evidence.declined_contacts = without(verdict.undecided_contact, promises_touch ? 0 : verdict.undecided_touching);
-  evidence.declined_separations = without(verdict.undecided, verdict.undecided_contact);
+  evidence.declined_contacts = without(verdict.undecided_contact, touch_is_contact ? 0 : verdict.undecided_touching);
+  evidence.declined_separations = without(verdict.undecided, verdict.undecided_contact) +
+                                  (touching == TouchingPolicy::separated ? verdict.undecided_touching : 0);
   evidence.invalid = verdict.invalid;
   evidence.unanswered = verdict.unanswered;
   return evidence;
@@ -47,8 +53,12 @@ Evidence evidence_of(TouchingPolicy touching, const Tally& tally) {
   return evidence_in(touching, tally.trials, tally.truth, tally.verdict);
 }
 
+Evidence evidence_of(TouchingPolicy touching, const FamilyCounts& counts) {
+  return evidence_in(touching, counts.trials, counts.truth, counts.verdict);
+}
+
 Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result) {
-  return evidence_in(kernel.touching, result.trials, result.truth, result.verdict);
+  return evidence_of(kernel.touching, result);
 }
 
 Evidence evidence_of(const KernelRecord& kernel) {
@@ -62,10 +72,13 @@ bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share) {
 }
 
 std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at) {
+  return evidence_text(evidence, looked_at, evidence.promised(), "queries");
+}
+
+std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at, std::uint64_t of, std::string_view part) {
   std::vector<std::string> parts = no_verdict_words(
       evidence.no_verdict(), "declined: it decides " + share_rounded_down(evidence.decided(), evidence.promised()));
-  parts.insert(parts.begin(), fmt::format("{} of {} promised queries looked at", thousands(looked_at),
-                                          thousands(evidence.promised())));
+  parts.insert(parts.begin(), fmt::format("{} of {} promised {} looked at", thousands(looked_at), thousands(of), part));
   if (evidence.outside != 0)
     parts.push_back(
         fmt::format("{} of {} outside its limits", thousands(evidence.outside), thousands(evidence.population)));
@@ -74,16 +87,36 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string decided_text(const Evidence& evidence, FlipKind kind) {
+  return fmt::format("{}{} of {} {} decided", evidence.invalid + evidence.unanswered == 0 ? "" : "at least ",
+                     thousands(evidence.decided_for(kind)), thousands(evidence.promised_for(kind)),
+                     kind == FlipKind::false_separation ? "contacts" : "separations");
+}
+
 double upper_bound_percent(std::uint64_t n) { return 100 * excluded_rate(n); }
 
-double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family) {
-  const std::uint64_t n = std::min(family.base_triangles, evidence_of(kernel, family).decided());
+namespace {
+
+double zero_limit_of(const FamilyRecord& family, std::uint64_t decided) {
+  const std::uint64_t n = std::min(family.base_triangles, decided);
   return n == 0 ? -1 : 1e6 * excluded_rate(n);
 }
 
-std::string with_rate(std::uint64_t count, const KernelRecord& kernel, const FamilyRecord& family) {
+}  // namespace
+
+double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family) {
+  return zero_limit_of(family, evidence_of(kernel, family).decided());
+}
+
+double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family, FlipKind kind) {
+  return zero_limit_of(family, evidence_of(kernel, family).decided_for(kind));
+}
+
+std::string with_rate(FlipKind kind, const KernelRecord& kernel, const FamilyRecord& family) {
+  const VerdictTally& verdict = family.verdict;
+  const std::uint64_t count = kind == FlipKind::false_separation ? verdict.false_separation : verdict.false_contact;
   if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
-  const double limit = zero_limit_per_million(kernel, family);
+  const double limit = zero_limit_per_million(kernel, family, kind);
   return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));
 }
 

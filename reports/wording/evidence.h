@@ -27,10 +27,12 @@ inline constexpr double least_decided_share = 0.5;
 
 // Numbers of queries of one family, or of several added up.
 struct Evidence {
-  std::uint64_t population = 0;                 // valid ones of the plan
-  std::uint64_t outside = 0;                    // of these, beyond the kernel's limits or policies
-  std::uint64_t touching = 0;                   // of the rest, touching, where it makes no promise of touch
-  std::uint64_t contacts = 0, separations = 0;  // of the rest, which are promised: the exact verdicts
+  std::uint64_t population = 0;  // valid ones of the plan
+  std::uint64_t outside = 0;     // of these, beyond the kernel's limits or policies
+  std::uint64_t touching = 0;    // of the rest, touching, where it makes no promise of touch
+  // Of the rest, which are promised, by the right verdict: a query that touches is a separation to a kernel that
+  // promises so.
+  std::uint64_t contacts = 0, separations = 0;
   std::uint64_t declined_contacts = 0, declined_separations = 0;  // promised, and answered `undecided`
   std::uint64_t invalid = 0, unanswered = 0;  // within the limits, and answered `invalid` or not at all
 
@@ -40,6 +42,13 @@ struct Evidence {
   // Promised, and called separated or contact. An answer `invalid` or none may be to a touching query, which is not
   // promised: then this is too small, and the level fails in any case.
   std::uint64_t decided() const;
+  // Those of them that could be wrong in this way: contacts could be missed, separations called contact. The verdicts
+  // of queries answered `invalid` or not at all are not counted apart: each may be of either kind, and is counted as
+  // both.
+  std::uint64_t decided_for(FlipKind kind) const;
+  std::uint64_t promised_for(FlipKind kind) const {
+    return kind == FlipKind::false_separation ? contacts : separations;
+  }
   void add(const Evidence& other);
 
   static constexpr std::string_view about = "The queries of the families that a level requires.";
@@ -57,6 +66,7 @@ struct Evidence {
 
 // `touching`: what the kernel promises of touch.
 Evidence evidence_of(TouchingPolicy touching, const Tally& tally);
+Evidence evidence_of(TouchingPolicy touching, const FamilyCounts& counts);
 Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result);
 // The evidence of all families of a kernel.
 Evidence evidence_of(const KernelRecord& kernel);
@@ -68,6 +78,12 @@ bool declines_too_many(std::uint64_t declined, std::uint64_t of, double share);
 // invalid", ", 7 without an answer", ", 2,655 of 2,700 outside its limits", ", 3 touching, of which it promises
 // nothing".
 std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
+// The same of a part of them, of `of` promised: "1 of 12 promised contacts looked at, ...".
+std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at, std::uint64_t of, std::string_view part);
+
+// "34 of 834 separations decided", or of the contacts, which could be wrong in this way; "at least 34 of ..." where
+// some were called invalid or not answered.
+std::string decided_text(const Evidence& evidence, FlipKind kind);
 
 // 100 (1 - 0.05^(1/n)): the per cent of wrong answers below which the rate is, with 95 % confidence, after n right
 // ones.
@@ -77,7 +93,10 @@ double upper_bound_percent(std::uint64_t n);
 // queries of this generator, 1e6 (1 - 0.05^(1/N)) for N base triangles, or N decided queries where these are fewer.
 // Negative where none was decided.
 double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family);
-// "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no promised query was decided.
-std::string with_rate(std::uint64_t count, const KernelRecord& kernel, const FamilyRecord& family);
+// The same of the decided queries that could be wrong in this way.
+double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family, FlipKind kind);
+// Of wrong verdicts: "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no decided query
+// could be wrong in this way.
+std::string with_rate(FlipKind kind, const KernelRecord& kernel, const FamilyRecord& family);
 
 }  // namespace axiscert

@@ -83,10 +83,11 @@ function deepest_witness(data, entry, kind) {
 
 function metric(data, entry, label, member, alarm) {
   const total = entry.all;
-  const [number, limit] = rate(total.verdict[member], total);
+  const [number, limit] = rate(total.verdict[member], total, member);
   const deepest = total.verdict[`deepest_${member}`];
   const witness = deepest_witness(data, entry, member);
-  const depth = el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : 'deepest: 0',
+  const none = total.zero_limits[member] === null ? 'deepest: -' : 'deepest: 0';
+  const depth = el('small', '', deepest > 0 ? `deepest ${amount(deepest, 4)} of the scene` : none,
                    witness?.depth === deepest && witness.length_text ? `, ${witness.length_text}` : '');
   if (witness) depth.append(', witness ', witness_link(data, witness.id));
   return el('div', `metric ${total.verdict[member] > 0 ? alarm : ''}`, el('span', 'label', label),
@@ -111,7 +112,8 @@ function link_sentences(data, entry) {
   }
   return list.children.length > 0 ? list
     : el('p', 'lead', entry.all.verdict.false_separation + entry.all.verdict.false_contact > 0
-      ? 'Every wrong verdict is on a query without a link to blame.' : 'No link broke a verdict on these queries.');
+      ? 'Every wrong verdict is on a query without a link to blame.'
+      : entry.decided === 0 ? 'Without a verdict no link shows.' : `No link broke one of its ${count(entry.decided)} verdicts.`);
 }
 
 const badge_meanings = {
@@ -163,6 +165,12 @@ function tolerance_fact(total) {
   return counts.length === 0 ? 'not checked' : count(counts.reduce((x, y) => x + y, 0));
 }
 
+// "-" where no touching query is known to have a verdict.
+function touching_fact({truth, verdict}) {
+  const decided = truth.touching - (verdict.outside_limits?.touching ?? 0) - verdict.undecided_touching - verdict.invalid - verdict.unanswered;
+  return verdict.touching_flips === 0 && decided <= 0 ? '-' : count(verdict.touching_flips);
+}
+
 function largest_error(total) {
   if (total.comparisons === null) return 'not exposed';
   if (Object.values(total.comparisons).every((tally) => tally.max_error_u === null)) return 'not measured: it shows no sides';
@@ -208,7 +216,7 @@ function more_facts(entry) {
   }
   if (entry.engine_text) fact('engine-like', entry.engine_text);
   if (entry.bias_text) fact('errs', entry.bias_text);
-  fact('wrong on touching', count(total.verdict.touching_flips));
+  fact('wrong on touching', touching_fact(total));
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
   fact('critical radius', radius.largest_ulps === null ? 'not sampled'
@@ -237,7 +245,7 @@ function answer_card(data, entry) {
   card.append(el('p', 'asked', `${count(total.trials)} queries in ${count(Object.keys(entry.families).length)} families: ` +
                                `${count(total.truth.contact)} contacts, ${count(total.truth.separated)} separations, ` +
                                `${count(total.truth.invalid)} invalid.`),
-              el('p', entry.is_unanswered ? 'asked bad' : 'asked', `${entry.evidence_text}.`),
+              el('p', entry.decided === 0 ? 'asked bad' : 'asked', `${entry.evidence_text}.`),
               el('div', 'metrics', metric(data, entry, 'missed contacts', 'false_separation', 'bad'),
                  metric(data, entry, 'phantom contacts', 'false_contact', 'warn')),
               depths_table(entry), links_bar(total.verdict.links) ?? '', link_sentences(data, entry), badges(data, entry), more_facts(entry));

@@ -23,7 +23,9 @@ function classes_table(data, entry) {
 
 // The table with the sentence about the nearest kernel.
 function classes_box(data, entry) {
-  if (entry.classes.rows.length === 0) return el('p', 'lead', `${entry_name(entry)}: no wrong verdict on these queries.`);
+  if (entry.classes.rows.length === 0) {
+    return el('p', 'lead', `${entry_name(entry)}: ${entry.decided > 0 ? `none of ${count(entry.decided)} verdicts is wrong` : 'it decided nothing'}.`);
+  }
   const box = el('div', '', classes_table(data, entry));
   if (entry.classes.nearest !== '') box.append(el('p', 'lead', `${entry.classes.nearest}.`));
   return box;
@@ -32,7 +34,7 @@ function classes_box(data, entry) {
 // Classes against families, shaded like the heat tables: for a kernel without comparisons to show there.
 function class_heat_table(data, entry) {
   const families = Object.entries(entry.families).filter(([, result]) => Object.keys(result.classes ?? {}).length > 0);
-  if (families.length === 0) return el('p', 'empty', `${entry_name(entry)} shows only verdicts, and none of them is wrong.`);
+  if (families.length === 0) return el('p', 'empty', `${entry_name(entry)} shows only verdicts, and ${entry.decided > 0 ? 'none of them is wrong' : 'it gave none'}.`);
   const wrong = (tally) => (tally ? tally.false_separation + tally.false_contact : 0);
   const cell = (name, family, result) => {
     const n = wrong(result.classes[name]);

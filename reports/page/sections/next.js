@@ -9,7 +9,9 @@ function kernel_to_mend(data) {
 // The witness to look at: the first of that kernel, a missed contact before an invented one. It is of ordinary numbers where there is one.
 function look_step(data, entry) {
   if (entry === null) {
-    return el('li', '', 'Nothing was wrong on these queries. Look for the worst there is: ',
+    const decided = data.kernels.reduce((sum, one) => sum + (one.decided ?? 0), 0);
+    if (decided === 0) return el('li', '', 'Nothing was decided, so that nothing is known: read why, above.');
+    return el('li', '', `Nothing was wrong among ${count(decided)} verdict${decided === 1 ? '' : 's'}. Look for the worst there is: `,
               el('code', '', `axiscert search --kernel ${data.plan.kernels[0]}`), '.');
   }
   const wrong = [...wrong_witnesses(data, entry, 'false_separation'), ...wrong_witnesses(data, entry, 'false_contact')];

@@ -21,7 +21,7 @@ function family_columns(rows) {
 // Shares of the scene with the farthest length below, where the family's queries have a unit.
 function depth_column(label, member, more) {
   return column.text(label, (row) => row.result.verdict[`deepest_${member}`], {numeric: true, ...more, cell: (td, value, row) => {
-    td.append(amount(value, 4));
+    td.append(value === 0 && row.result.zero_limits[member] === null ? '-' : amount(value, 4));
     td.title = String(value);
     if (value === 0) td.classList.add('zero');
     if (row.result.lengths[member]) td.append(el('small', '', row.result.lengths[member]));
