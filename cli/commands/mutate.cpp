@@ -110,7 +110,7 @@ int print_and_write_score(const MutateOptions& options, const std::optional<Outp
   }
   if (!complete) return interrupted_code();
   if (!faults.empty()) throw HarnessFault(fmt::format("{}", fmt::join(faults, "\n")));
-  return exit_done;
+  return shown.is_of_nothing ? exit_requirement_failed : exit_done;
 }
 
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,

@@ -67,9 +67,13 @@ SearchedStatement search_precision(const StagedCertificate& staged, Precision pr
                         fmt::format("; {} of {} evaluations", p.evaluations, *plan.evaluations));
         });
   }
-  SearchedStatement said{result.evaluations, plan.first_queries, {}};
-  for (const Aim& aim : result.aims) {
-    if (!is_about_a_comparison(aim.goal)) said.finds.put(name(aim, *plan.kernel->predicate));
+  SearchedStatement said{result.evaluations, plan.first_queries, {}, {}};
+  for (std::size_t i = 0; i < result.aims.size(); ++i) {
+    const Aim& aim = result.aims[i];
+    if (is_about_a_comparison(aim.goal)) continue;
+    said.finds.put(name(aim, *plan.kernel->predicate));
+    said.looked_at.put(name(aim, *plan.kernel->predicate)) =
+        aim.goal == Goal::number ? result.judged[i] : result.looked_at[i].decided;
   }
   for (const Find& find : result.finds) {
     if (!is_about_a_comparison(find.aim.goal))

@@ -201,6 +201,7 @@ TEST(Diagnosis, KnowsNothingOfAKernelThatDecidesNothing) {
     const Kernel kernel = saying(said, true);
     const Diagnosis diagnosis = diagnosis_of(kernel, Precision::binary32);
     expect_nothing_known(diagnosis);
+    EXPECT_TRUE(diagnosis.find("inner_precision")->measured.at("median_error_ulps").is_null()) << "of no radius";
     EXPECT_EQ(diagnosis.looked_at().decided, 0u) << name(said);
     EXPECT_GT(diagnosis.looked_at().asked(), 10000u);
     ASSERT_TRUE(diagnosis.looked_at().first_fault);

@@ -72,9 +72,9 @@ std::vector<std::optional<Real>> turning_radii(Subject<Real>& subject, const Que
 
 struct TurningCounts {
   std::size_t answered = 0, exact = 0, early = 0, late = 0;
-  std::size_t at_float = 0;           // between numbers that are different floats
-  std::array<std::size_t, 3> same{};  // the same for other points that are the same floats, by Changed
-  std::int64_t median = 0;            // of the errors, in ulps
+  std::size_t at_float = 0;            // between numbers that are different floats
+  std::array<std::size_t, 3> same{};   // the same for other points that are the same floats, by Changed
+  std::optional<std::int64_t> median;  // of the errors, in ulps; of none there is none
   bool is_of_floats() const { return at_float == answered || std::ranges::count(same, answered) != 0; }
   Json json() const {
     return {{"answered", answered},
@@ -85,7 +85,7 @@ struct TurningCounts {
             {"same_for_vertices_in_float", same[0]},
             {"same_for_centre_in_float", same[1]},
             {"same_for_points_in_float", same[2]},
-            {"median_error_ulps", median}};
+            {"median_error_ulps", median ? Json(*median) : Json()}};
   }
 };
 
@@ -116,7 +116,7 @@ ProbeFinding concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes
                                counts.exact, counts.answered),
                    std::move(witnesses), measured);
   }
-  if (counts.early >= 3 && counts.late >= 3 && counts.median <= own_ulps) {
+  if (counts.early >= 3 && counts.late >= 3 && *counts.median <= own_ulps) {
     // A float kernel shows the same where a computation in double stops early; its roundings show in their order.
     const std::string order = sizeof(Real) == 4 ? operation_order(subject).value : std::string();
     if (order == not_asked) {
@@ -135,12 +135,12 @@ ProbeFinding concluded(Subject<Real>& subject, const TurningScenes<Real>& scenes
     return decided(Inner::own,
                    fmt::format("It computes in the query's precision: its answer turns too early in {} and "
                                "too late in {} of {} scenes, by {} ulps in the median.",
-                               counts.early, counts.late, counts.answered, counts.median),
+                               counts.early, counts.late, counts.answered, *counts.median),
                    std::move(witnesses), measured);
   }
   return undecided(fmt::format("Its answer turns too early in {} and too late in {} of {} scenes, by {} ulps in the "
                                "median: rounding in one precision does not do that alone.",
-                               counts.early, counts.late, counts.answered, counts.median),
+                               counts.early, counts.late, counts.answered, *counts.median),
                    measured);
 }
 

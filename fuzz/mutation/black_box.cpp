@@ -81,10 +81,13 @@ void compare(const MutationPlan& plan, const std::vector<BlackBoxResult*>& survi
   without_fault.id = plan.base;
   std::vector<Verdict> base;
   for (const ComparisonBits bits : bits_of(without_fault)) base.push_back(verdict_of(family.predicate(), bits));
+  std::uint64_t valid = 0;
+  for (std::size_t i = 0; i < batch.size(); ++i) valid += batch.oracles().is_valid(batch[i]);
   for (std::size_t m = 0; m < survivors.size(); ++m) {
     const std::vector<ComparisonBits> bits = bits_of(*survivors[m]->mutant);
     Survival& counts = found[m];
     counts.queries += batch.size();
+    counts.valid += valid;
     int depths = 0;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const Verdict verdict = verdict_of(family.predicate(), bits[i]);

@@ -34,11 +34,12 @@ struct DeepestWrong {
 
 // Why a mutant passes: how it differs from the kernel that it is made from on all queries asked.
 struct Survival {
-  std::uint64_t queries = 0, other_verdicts = 0, wrong = 0, wrong_in_exact = 0, touching_in_exact = 0;
+  std::uint64_t queries = 0, valid = 0, other_verdicts = 0, wrong = 0, wrong_in_exact = 0, touching_in_exact = 0;
   std::optional<DeepestWrong> deepest;  // of the first wrong ones of each family and batch
 
   double depth() const { return deepest ? deepest->depth : 0; }
   AXISCERT_FIELDS(Survival, AXISCERT_FIELD(queries, "Of all families together."),
+                  AXISCERT_FIELD(valid, "Of these, the valid ones; 0: it was not judged."),
                   AXISCERT_FIELD(other_verdicts, "Verdicts other than that of the kernel without the fault."),
                   AXISCERT_FIELD(wrong, "Other verdicts that are wrong."),
                   field(&Of::wrong_in_exact, {"wrong_in_exact_arithmetic",

@@ -28,6 +28,7 @@ struct FamilyBatch {
   // time find the same.
   static constexpr signed char unknown = 2, invalid = 3;
   std::vector<std::atomic<signed char>> order = std::vector<std::atomic<signed char>>(batch_size);
+  bool has_valid = false;  // of all batches so far
 
   explicit FamilyBatch(const Family* of) : family(of) {}
   const Predicate& predicate() const { return family->predicate(); }
@@ -42,6 +43,7 @@ struct FamilyBatch {
     for (std::size_t i = 0; i < size; ++i) {
       base_verdicts[i] = verdict_of(predicate(), base[i]);
       order[i].store(unknown, std::memory_order_relaxed);
+      has_valid = has_valid || oracles->is_valid(batch[i]);
     }
   }
 
@@ -85,6 +87,10 @@ class MutationRun {
                       [&](std::size_t f) { asked_[f].prepare(base_, plan_.seed, first, size); });
     tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t m) { ask(*results_[m]); });
     return size * asked_.size();
+  }
+
+  bool has_valid() const {
+    return std::ranges::any_of(asked_, [](const FamilyBatch<Real>& asked) { return asked.has_valid; });
   }
 
  private:
@@ -174,6 +180,7 @@ MutationResult run_mutation(const MutationPlan& plan, const std::atomic<bool>& i
         return;
       }
       progress.finish_unit(mutation.run_batch(first));
+      if (mutation.has_valid()) result.judged.insert(precision_of<Real>);
     }
   };
   tbb::task_arena arena(plan.threads);
@@ -243,7 +250,7 @@ std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials
       for (const CellResult& cell : result.cells) {
         if (cell.precision != precision) continue;
         const Tally& tally = cell.tallies[k];
-        control.queries += tally.trials;
+        control.queries += tally.trials - tally.truth.invalid;
         const Source& source = *campaign.questions.sources[cell.source];
         control.flagged +=
             flagged(tally.verdict, control.claims_bits, shows_formulae(source.name(), source.exact_arithmetic()));

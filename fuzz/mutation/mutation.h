@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ struct MutantResult {
 
 struct MutationResult {
   std::vector<MutantResult> mutants;  // by precision, in the order of the plan
+  std::set<Precision> judged;         // those with a valid query: no other shows a fault
   bool complete = true;               // false: interrupted
 };
 
@@ -73,7 +75,7 @@ struct Control {
   std::string id;
   bool claims_bits;  // those of its own arithmetic; otherwise the formulae only
   Precision precision;
-  std::uint64_t queries = 0, flagged = 0;  // flagged: wrong verdicts that `logic` does not allow
+  std::uint64_t queries = 0, flagged = 0;  // valid ones; flagged: wrong verdicts that `logic` does not allow
 };
 std::vector<Control> run_controls(const MutationPlan& plan, std::uint64_t trials, const std::atomic<bool>& interrupted,
                                   const ShowProgress& report = {});

@@ -113,6 +113,7 @@ TEST(Mutation, DoesNotDependOnThreads) {
   const MutationResult two = run(plan);
   plan.threads = 1;
   const MutationResult one = run(plan);
+  EXPECT_EQ(one.judged, (std::set{Precision::binary32, Precision::binary64}));
   ASSERT_EQ(one.mutants.size(), two.mutants.size());
   for (std::size_t i = 0; i < one.mutants.size(); ++i) {
     const auto &a = one.mutants[i].by_bits, &b = two.mutants[i].by_bits;

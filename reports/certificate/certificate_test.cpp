@@ -77,7 +77,7 @@ TEST(Certificate, AWordThatWasChangedIsToldFromAFileThatIsCutOff) {
 
 TEST(Certificate, AnotherVersionAndAnotherStatementAreNamed) {
   Json statement = stored_statement();
-  for (const char* other : {"urn:axiscert:certificate:2", "urn:axiscert:certificate:5"}) {
+  for (const char* other : {"urn:axiscert:certificate:2", "urn:axiscert:certificate:6"}) {
     statement["predicateType"] = other;
     const std::string refusal = refusal_of(canonical_json(statement));
     EXPECT_THAT(refusal, HasSubstr(std::string("error: c.json: is a certificate of version ") + other + "; axiscert"));
@@ -96,7 +96,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/4"))
+                HasSubstr("does not conform to axiscert-certificate/5"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());
@@ -178,6 +178,44 @@ TEST(CertificatePage, ShowsEveryLevelMarginAndLimit) {
   for (const auto& row : report.first->table.rows) shown.insert(row[0]);
   for (const LevelStatement& level : certificate_of(stored_statement()).predicate.levels) stated.insert(level.level);
   EXPECT_EQ(shown, stated);
+}
+
+TEST(CertificatePage, ASearchThatDecidedNothingForAGoalDidNotLookForIt) {
+  const auto cell_of = [](const Json& statement) {
+    for (const InstrumentTable& table : report_of(statement).tables) {
+      for (const auto& row : table.rows) {
+        if (row.size() > 2 && row[1] == "critical_radius") return row[2];
+      }
+    }
+    return std::string("no such row");
+  };
+  Json statement = stored_statement();
+  EXPECT_EQ(cell_of(statement), "not looked at");
+  statement["predicate"]["search"]["precisions"]["binary32"]["looked_at"]["critical_radius"] = 1234;
+  EXPECT_EQ(cell_of(statement), "none among 1,234 decided");
+}
+
+// Nothing breaks where nothing is decided.
+TEST(CertificatePage, SaysOnHowMuchNothingBroke) {
+  Json statement = stored_statement();
+  Json& predicate = statement["predicate"];
+  predicate["breaks_first"] = nullptr;
+  predicate["search"]["precisions"]["binary32"]["finds"] = {{"missed_contact", nullptr}};
+  const auto note = [&] { return breaks_note(certificate_of(statement).predicate); };
+  EXPECT_EQ(note(), "Nothing broke on 9 decided queries.");
+  predicate["asked"]["contacts"] = predicate["asked"]["left_out"]["declined_contacts"] = 4;
+  predicate["asked"]["left_out"]["declined"] = 4;
+  EXPECT_EQ(note(), "Nothing broke on 9 decided queries; no contact was decided.");
+  predicate["asked"]["left_out"]["declined_contacts"] = 0;
+  predicate["asked"]["separations"] = predicate["asked"]["left_out"]["declined"] = 3;
+  EXPECT_EQ(note(), "Nothing broke on 9 decided queries; no separation was decided.");
+  predicate["asked"]["looked_at"] = 0;
+  EXPECT_EQ(note(), "Nothing was looked at: none of 16 queries was decided.");
+  predicate["search"]["precisions"]["binary32"]["finds"]["missed_contact"] = {
+      {"depth", "0.25"}, {"links", Json::array()}, {"query", Json::object()}};
+  EXPECT_EQ(note(),
+            "Nothing was looked at: none of 16 queries was decided. But a search found a missed contact of depth 0.25 "
+            "in binary32.");
 }
 
 TEST(CertificatePage, ABadgeSaysTheStrongestLevelThatIsMetAndHowMuchWasAsked) {

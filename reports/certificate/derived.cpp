@@ -61,8 +61,11 @@ AskedStatement asked_of(const CertificatePredicate& predicate, const Record& rec
           record.plan.seed,
           predicate.materials.tallies.size(),
           queries,
+          all.contacts,
+          all.separations,
           all.decided(),
-          {queries - all.population, all.outside, all.touching, all.declined(), all.invalid, all.unanswered},
+          {queries - all.population, all.outside, all.touching, all.declined(), all.declined_contacts, all.invalid,
+           all.unanswered},
           std::vector<SaidText>(families.begin(), families.end())};
 }
 

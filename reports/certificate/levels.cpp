@@ -41,6 +41,13 @@ std::string contradiction(const AskedLevel& asked, const SearchedStatement* sear
   return missed.empty() ? of("phantom_contact", "phantom contact", allowed.phantom) : missed;
 }
 
+// Whether the search decided queries for every goal that the level limits.
+bool has_looked_against(const AskedLevel& asked, const SearchedStatement& search) {
+  const bool allows_phantoms = level_of(asked).allowed(asked).phantom == any_depth;
+  return search.looked_at_for("missed_contact") != 0 &&
+         (allows_phantoms || search.looked_at_for("phantom_contact") != 0);
+}
+
 // How a diagnosis contradicts a level.
 std::string contradiction(const AskedLevel& asked, const DiagnosedStatement* diagnosed) {
   const auto is_denied_by = level_of(asked).is_denied_by;
@@ -103,7 +110,7 @@ LevelStatement level_statement(const Record& record, const LevelOutcome& outcome
   const KernelRecord* entry = record_entry_of(record, outcome);
   level.rests_on.push_back(
       {Ground::observed, entry ? observed_text(*entry, outcome.asked, outcome.covers) : outcome.covers});
-  if (search != nullptr && is_of_verdicts(outcome.asked)) {
+  if (search != nullptr && is_of_verdicts(outcome.asked) && has_looked_against(outcome.asked, *search)) {
     level.rests_on.push_back(
         {Ground::searched, fmt::format("{} evaluations of a search for the worst found nothing against it",
                                        thousands(search->evaluations))});

@@ -46,12 +46,15 @@ TEST(ProvedLevels, NothingElseIsProved) {
 
 // The levels of `published` in binary32 that are about verdicts, on a run that saw no wrong one, beside a search's
 // finds.
-std::map<std::string, LevelStatement> levels_beside(const std::string& goal = "", const std::string& depth = "") {
+std::map<std::string, LevelStatement> levels_beside(const std::string& goal = "", const std::string& depth = "",
+                                                    std::uint64_t phantoms_looked_for = 1000) {
   Json record = stored_record();
   record["kernels"][0]["families"].erase("tangent");
   NamedValues<SearchedStatement> searches;
   SearchedStatement& search = searches.put("binary32");
   search.evaluations = 12345;
+  search.looked_at.put("missed_contact") = 1000;
+  search.looked_at.put("phantom_contact") = phantoms_looked_for;
   if (!goal.empty()) search.finds.put(goal).emplace().depth = depth;
   std::map<std::string, LevelStatement> levels;
   for (const LevelStatement& level : levels_of(edited(record), "published", searches)) {
@@ -95,6 +98,13 @@ TEST(LevelsBesideASearch, AreMetWhereItFoundNothing) {
     EXPECT_EQ(level.rests_on[0].kind, Ground::observed);
     EXPECT_THAT(level.rests_on[1].text, testing::HasSubstr("12,345 evaluations"));
   }
+}
+
+TEST(LevelsBesideASearch, RestOnNoneThatDecidedNothing) {
+  const auto levels = levels_beside("", "", 0);
+  EXPECT_EQ(levels.at("exact").state, LevelState::met);
+  EXPECT_EQ(levels.at("exact").rests_on.size(), 1u);
+  EXPECT_EQ(levels.at("conservative").rests_on.size(), 2u) << "which allows phantoms";
 }
 
 // `conservative=D` allows no missed contact at all, and phantoms up to D deep; `depth=D` both up to D.

@@ -259,7 +259,11 @@ class CertificatePage {
     InstrumentTable table{"The worst that a search found", {"precision", "what", "worst", "unit", "evaluations"}, {}};
     for (const auto& [precision, search] : predicate_.search.precisions) {
       for (const auto& [goal, find] : search.finds) {
-        table.rows.push_back({precision, goal, !find ? "none" : cell(find->depth ? find->depth : find->ulps),
+        const std::uint64_t looked_at = search.looked_at_for(goal);
+        table.rows.push_back({precision, goal,
+                              find             ? cell(find->depth ? find->depth : find->ulps)
+                              : looked_at == 0 ? "not looked at"
+                                               : fmt::format("none among {} decided", thousands(looked_at)),
                               goal == "critical_radius" ? "ulps" : "of the scene", thousands(search.evaluations)});
       }
     }

@@ -35,7 +35,7 @@ std::string decided_text(const CertificatePredicate& predicate);
 
 // The faults of a kernel and what to do about them, for the page.
 
-// A sentence on what breaks first, and what to do.
+// A sentence on what breaks first, and what to do; or on how much nothing broke.
 std::string breaks_note(const CertificatePredicate& predicate);
 
 // Findings of the diagnosis that somebody who uses the kernel has to know; empty where there are none.

@@ -181,8 +181,34 @@ std::vector<const PropertyStatement*> most_important_first(const DiagnosedStatem
 
 }  // namespace
 
+namespace {
+
+// On how much nothing broke, and what a search found all the same: it asks other queries than the run.
+std::string nothing_broke(const CertificatePredicate& predicate) {
+  const AskedStatement& asked = predicate.asked;
+  const LeftOutStatement& out = asked.left_out;
+  std::string text = fmt::format("Nothing was looked at: none of {} queries was decided.", thousands(asked.queries));
+  if (asked.looked_at != 0) {
+    text = fmt::format("Nothing broke on {} decided queries", thousands(asked.looked_at));
+    if (asked.contacts <= out.declined_contacts) text += "; no contact was decided";
+    if (asked.separations <= out.declined - out.declined_contacts) text += "; no separation was decided";
+    text += ".";
+  }
+  std::vector<std::string> finds;
+  for (const auto& [precision, search] : predicate.search.precisions) {
+    for (const auto& [goal, what] : {std::pair("missed_contact", "missed"), {"phantom_contact", "phantom"}}) {
+      if (const FindStatement* find = search.find(goal); find && find->depth)
+        finds.push_back(fmt::format("a {} contact of depth {} in {}", what, *find->depth, precision));
+    }
+  }
+  if (!finds.empty()) text += fmt::format(" But a search found {}.", fmt::join(finds, ", "));
+  return text;
+}
+
+}  // namespace
+
 std::string breaks_note(const CertificatePredicate& predicate) {
-  if (!predicate.breaks_first) return "Nothing broke.";
+  if (!predicate.breaks_first) return nothing_broke(predicate);
   const BreakStatement& first = *predicate.breaks_first;
   std::string meaning = first.meaning;
   if (meaning.ends_with('.')) meaning.pop_back();

@@ -54,6 +54,7 @@ class Collector {
     const VerdictTally& verdict = result.verdict;
     const std::uint64_t outside = verdict.outside_limits ? verdict.outside_limits->trials : 0;
     among_ = result.trials - result.truth.invalid - outside;
+    decided_ = among_ - std::min(among_, verdict.undecided + verdict.invalid + verdict.unanswered);
     add_count("verdict", "false_separation", verdict.false_separation);
     add_count("verdict", "false_contact", verdict.false_contact);
     add_count("verdict", "undecided", verdict.undecided);
@@ -76,6 +77,7 @@ class Collector {
     kernel_ = finding.kernel;
     precision_ = finding.precision ? name(*finding.precision) : "";
     family_ = finding.family.value_or("");
+    decided_ = 0;
     add("finding", name(finding.kind), Cell::Kind::finding).figure = finding.count;
   }
 
@@ -140,7 +142,7 @@ class Collector {
 
   Cell& add(const std::string& place, std::string_view member, Cell::Kind kind) {
     return cells_.emplace_back(
-        Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, identity()});
+        Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, decided_, identity()});
   }
   void add_count(const std::string& place, std::string_view member, std::uint64_t figure) {
     Cell& cell = add(place, member, Cell::Kind::count);
@@ -162,6 +164,7 @@ class Collector {
   Identities identities_;
   std::string kernel_, precision_, family_;
   std::uint64_t among_ = 0, bases_ = 0;  // queries among which is counted, and those that do not share a triangle
+  std::uint64_t decided_ = 0;
 };
 
 bool shows_flip(const WitnessRecord& witness, const Cell& cell) {

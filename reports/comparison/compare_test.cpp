@@ -41,6 +41,28 @@ TEST(Compare, ARunWithItselfDoesNotDiffer) {
   EXPECT_EQ(answer(compare_records(record, other_seed(), {})), "no change");
 }
 
+// Zeros of a kernel that decided nothing are not where it is wrong nowhere.
+TEST(Compare, AKernelThatDecidesNothingIsWrongNowhereLookedAt) {
+  Json record = stored_record();
+  const Json sound = data_of(record, record, compare_records(record, record));
+  EXPECT_GT(sound["wrong_nowhere"], 0);
+  EXPECT_EQ(sound["not_looked_at"], 0);
+  for (Json& kernel : record["kernels"]) {
+    for (Json& family : kernel["families"]) {
+      for (Json& figure : family["verdict"]) {
+        if (figure.is_number()) figure = 0;
+      }
+      family["verdict"]["undecided"] = family["trials"];
+      family["comparisons"] = family["axes"] = nullptr;
+    }
+  }
+  const RunComparison silent = compare_records(record, record);
+  const Json data = data_of(record, record, silent);
+  EXPECT_EQ(data["wrong_nowhere"], 0);
+  EXPECT_GT(data["not_looked_at"], 0);
+  EXPECT_THAT(markdown_of(record, record, silent), HasSubstr("not looked at"));
+}
+
 TEST(Compare, RunsOfTwoPredicatesAreRefused) {
   Json other = stored_record();
   other["plan"]["predicate"] = "point-box";

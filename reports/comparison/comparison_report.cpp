@@ -66,14 +66,18 @@ InstrumentTable cells_table(const std::string& caption, const RunComparison& com
 
 InstrumentTable kernels_table(const RunComparison& comparison) {
   InstrumentTable table{
-      "By kernel", {"kernel", "precision", "new", "worse", "better", "fixed", "unchanged", "wrong nowhere"}, {}};
-  std::vector<std::pair<std::pair<std::string, std::string>, std::array<std::uint64_t, change_names.size() + 1>>> rows;
+      "By kernel",
+      {"kernel", "precision", "new", "worse", "better", "fixed", "unchanged", "wrong nowhere", "not looked at"},
+      {}};
+  constexpr std::size_t wrong_nowhere = change_names.size(), not_looked_at = wrong_nowhere + 1;
+  std::vector<std::pair<std::pair<std::string, std::string>, std::array<std::uint64_t, not_looked_at + 1>>> rows;
   for (const ComparedCell& cell : comparison.cells) {
     const std::pair key(cell.kernel(), cell.before.precision);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.first == key; });
     if (row == rows.end()) row = rows.insert(rows.end(), {key, {}});
-    const bool is_nowhere = cell.before.is_zero() && cell.after.is_zero();
-    ++row->second[is_nowhere ? change_names.size() : index_of(cell.change)];
+    ++row->second[!cell.is_zero_in_both() ? index_of(cell.change)
+                  : cell.is_looked_at()   ? wrong_nowhere
+                                          : not_looked_at];
   }
   for (const auto& [key, counts] : rows) {
     Row row = {key.first, key.second};
@@ -291,8 +295,8 @@ Json comparison_json(const ComparedRuns& runs, const RunComparison& comparison) 
   for (const Change change : enumerators<Change>) data.counts[change] = comparison.count(change);
   for (const ComparedCell& cell : comparison.cells) {
     const Cell &before = cell.before, &after = cell.after;
-    if (before.is_zero() && after.is_zero()) {
-      ++data.wrong_nowhere;
+    if (cell.is_zero_in_both()) {
+      ++(cell.is_looked_at() ? data.wrong_nowhere : data.not_looked_at);
       continue;
     }
     data.cells.push_back({fingerprint(after.key()), cell.kernel(), before.precision, before.family, before.place,

@@ -67,7 +67,7 @@ struct ComparisonData {
   std::vector<ComparedKernel> kernels;
   EnumArray<Change, std::uint64_t> counts{};
   std::vector<ComparedCellData> cells;
-  std::uint64_t wrong_nowhere = 0;
+  std::uint64_t wrong_nowhere = 0, not_looked_at = 0;
   std::vector<ReplayedQuery> replayed;
   std::vector<NotCompared> not_compared;
   std::vector<WitnessRecord> new_witnesses;
@@ -95,7 +95,8 @@ struct ComparisonData {
                      "to decline, or existence in a precision."),
       AXISCERT_FIELD(kernels, "The kernels of both plans."), AXISCERT_FIELD(counts, "Cells by change.", "cells"),
       AXISCERT_FIELD(cells, "Every cell that is not zero in both."),
-      AXISCERT_FIELD(wrong_nowhere, "Cells that are zero in both.", "cells"),
+      AXISCERT_FIELD(wrong_nowhere, "Cells that are zero in both, where both runs decided something.", "cells"),
+      AXISCERT_FIELD(not_looked_at, "Cells that are zero in both, where a run decided nothing.", "cells"),
       AXISCERT_FIELD(replayed, "Witnesses of OLD, evaluated again by the kernels of this build."),
       AXISCERT_FIELD(not_compared,
                      "Everything that only one run has, or that they counted over other promised queries."),

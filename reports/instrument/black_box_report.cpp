@@ -48,6 +48,10 @@ class BlackBoxReport {
                       "that survived, or a kernel that is not refused, was not looked at.",
                       least_looked_at, plan_.trials));
     }
+    if (score_.complete && std::ranges::any_of(score_.mutants, is_not_judged)) {
+      report.is_of_nothing = true;
+      report.title = "Nothing was judged, no query is valid: " + report.title;
+    }
     std::erase_if(report.tables, [](const InstrumentTable& table) { return table.rows.empty(); });
     return report;
   }
@@ -113,7 +117,7 @@ class BlackBoxReport {
           if (is_of) row[1] = r.mutant->what;
           return is_of;
         });
-        const std::uint64_t distinct = score.mutants - score.equivalent;
+        const std::uint64_t distinct = score.mutants - score.equivalent - score.not_judged;
         row.push_back(distinct == 0 ? "-" : fmt::format("{} of {}", score.refused, distinct));
       }
       if (!row[1].empty()) table.rows.push_back(std::move(row));
@@ -150,7 +154,7 @@ class BlackBoxReport {
     std::map<std::tuple<std::size_t, std::string, std::size_t, std::string>, Row> rows;
     const std::vector<std::string> order = faults();
     for (const BlackBoxResult& r : score_.mutants) {
-      if (!has_survived(r) || !r.survival) continue;
+      if (!has_survived(r) || !r.survival || is_not_judged(r)) continue;
       const auto fault =
           static_cast<std::size_t>(std::find(order.begin(), order.end(), r.mutant->fault) - order.begin());
       const std::string place = has_magnitude(r) ? r.mutant->id.substr(0, r.mutant->id.rfind(':')) : "";
@@ -188,8 +192,12 @@ class BlackBoxReport {
   InstrumentTable controls() const {
     InstrumentTable table{"Kernels that are right", {"kernel", "precision", "refused"}, {}};
     for (const BlackBoxControl& c : score_.controls) {
+      const bool is_unjudged = std::ranges::any_of(
+          score_.mutants, [&](const BlackBoxResult& r) { return r.precision == c.precision && is_not_judged(r); });
       table.rows.push_back({c.id, std::string(name(c.precision)),
-                            c.refused ? fmt::format("{}: {}", c.refused->family, c.refused->what) : "no"});
+                            c.refused     ? fmt::format("{}: {}", c.refused->family, c.refused->what)
+                            : is_unjudged ? "not judged"
+                                          : "no"});
     }
     return table;
   }

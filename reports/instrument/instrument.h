@@ -73,6 +73,7 @@ struct InstrumentReport {
   std::string notes_heading = "What was measured";  // of the notes on the page
   std::optional<InstrumentFirst> first = {};
   bool are_notes_last = false;  // on the page, folded: they say what words mean
+  bool is_of_nothing = false;   // nothing was measured or judged: its command exits with 1
 };
 
 // The tables as aligned columns, and the notes.

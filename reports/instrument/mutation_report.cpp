@@ -2,6 +2,7 @@
 #include "reports/instrument/mutation_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -21,8 +22,9 @@ const std::string* equivalence_of(const MutantResult& r) {
 }
 
 // Counts of mutants; those not equivalent to their base are counted as caught, caught soon, or caught by formulae
-// alone.
+// alone; not judged where no query was valid.
 struct Score {
+  bool is_judged = true;
   std::uint64_t mutants = 0, equivalent = 0, caught = 0, soon = 0, by_formulae = 0;
   std::vector<std::uint64_t> queries;
 
@@ -38,6 +40,7 @@ struct Score {
     soon += r.by_bits->queries <= axiscert::soon;
     queries.push_back(r.by_bits->queries);
   }
+  std::uint64_t not_caught() const { return mutants - equivalent - caught; }
   // Number of queries after which at least half of the mutants that are not equivalent are caught.
   std::optional<std::uint64_t> median() const {
     const std::uint64_t all = mutants - equivalent;
@@ -47,19 +50,21 @@ struct Score {
     return sorted[(all - 1) / 2];
   }
   std::vector<std::string> cells() const {
+    if (!is_judged) return {thousands(mutants), thousands(equivalent), "-", "not judged", "-", "-", "-", "-"};
     const auto middle = median();
     const auto last = std::max_element(queries.begin(), queries.end());
     return {thousands(mutants),
             thousands(equivalent),
             thousands(caught),
-            thousands(mutants - equivalent - caught),
+            thousands(not_caught()),
             thousands(soon),
             middle ? thousands(*middle) : "-",
             last == queries.end() ? "-" : thousands(*last),
             thousands(by_formulae)};
   }
   CatchScoreData data() const {
-    return {mutants, equivalent, caught, mutants - equivalent - caught, soon, median(), by_formulae};
+    return {mutants, equivalent, caught,     is_judged ? not_caught() : 0, is_judged ? 0 : not_caught(),
+            soon,    median(),   by_formulae};
   }
 };
 
@@ -71,8 +76,8 @@ class MutationReport {
   InstrumentReport report(const std::string& command, bool whole) const {
     InstrumentReport report{
         "mutation",
-        fmt::format("{} mutants of {}: what `--require {}` catches{}", plan_.mutants.size(), plan_.base,
-                    level_of_mutation, result_.complete ? "" : " (interrupted)"),
+        fmt::format("{}{} mutants of {}: what `--require {}` catches{}", nothing_judged(), plan_.mutants.size(),
+                    plan_.base, level_of_mutation, result_.complete ? "" : " (interrupted)"),
         command,
         {"A mutant is the kernel with one fault. It is caught by the first wrong verdict with a broken "
          "implementation link; `queries` counts all queries up to then, of all families in "
@@ -85,6 +90,7 @@ class MutationReport {
         {scores(), by_fault(), by_family(), not_caught(), controls()},
         {},
         data(command)};
+    report.is_of_nothing = !nothing_judged().empty();
     if (whole) report.tables.push_back(all());
     std::erase_if(report.tables, [](const InstrumentTable& table) { return table.rows.empty(); });
     return report;
@@ -102,8 +108,19 @@ class MutationReport {
     first.insert(first.end(), cells.begin(), cells.end());
     table.rows.push_back(std::move(first));
   }
+  bool is_judged(Precision precision) const { return result_.judged.contains(precision); }
+  // What the title begins with where no query of a precision was valid.
+  std::string nothing_judged() const {
+    std::vector<std::string_view> precisions;
+    for (const Precision precision : plan_.precisions) {
+      if (!is_judged(precision)) precisions.push_back(name(precision));
+    }
+    if (precisions.empty() || !result_.complete) return "";
+    return fmt::format("Nothing was judged in {}, no query is valid: ", fmt::join(precisions, " and "));
+  }
   Score score(Precision precision, const std::string& fault = "") const {
     Score score;
+    score.is_judged = is_judged(precision);
     for (const MutantResult& r : result_.mutants) {
       if (r.precision == precision && (fault.empty() || r.mutant->fault == fault)) score.add(r);
     }
@@ -138,10 +155,12 @@ class MutationReport {
     for (const Family* family : plan_.families) {
       std::vector<std::string> row = {std::string(family->name)};
       for (const Precision precision : plan_.precisions) {
-        row.push_back(thousands(static_cast<std::uint64_t>(
-            std::count_if(result_.mutants.begin(), result_.mutants.end(), [&](const MutantResult& r) {
-              return r.precision == precision && r.by_bits && r.by_bits->family == family;
-            }))));
+        row.push_back(!is_judged(precision)
+                          ? "-"
+                          : thousands(static_cast<std::uint64_t>(std::count_if(
+                                result_.mutants.begin(), result_.mutants.end(), [&](const MutantResult& r) {
+                                  return r.precision == precision && r.by_bits && r.by_bits->family == family;
+                                }))));
       }
       table.rows.push_back(std::move(row));
     }
@@ -154,7 +173,9 @@ class MutationReport {
       if (r.by_bits) continue;
       const std::string* equivalent = equivalence_of(r);
       table.rows.push_back({r.mutant->id, std::string(name(r.precision)), r.mutant->where, r.mutant->what,
-                            equivalent ? *equivalent : "no: it survived"});
+                            equivalent               ? *equivalent
+                            : is_judged(r.precision) ? "no: it survived"
+                                                     : "not judged"});
     }
     return table;
   }
@@ -166,7 +187,7 @@ class MutationReport {
         {}};
     for (const Control& c : controls_) {
       table.rows.push_back({c.id, std::string(name(c.precision)), c.claims_bits ? "its bits" : "formulae alone",
-                            thousands(c.queries), thousands(c.flagged)});
+                            thousands(c.queries), c.queries == 0 ? "not judged" : thousands(c.flagged)});
     }
     return table;
   }
@@ -193,7 +214,10 @@ class MutationReport {
         if (!r) row.insert(row.end(), {"", "", ""});
         else if (r->by_bits)
           row.insert(row.end(), {std::string(r->by_bits->family->name), queries(r->by_bits), queries(r->by_formulae)});
-        else row.insert(row.end(), {equivalence_of(*r) ? "equivalent" : "survived", "-", "-"});
+        else {
+          const char* not_caught = is_judged(precision) ? "survived" : "not judged";
+          row.insert(row.end(), {equivalence_of(*r) ? "equivalent" : not_caught, "-", "-"});
+        }
       }
       table.rows.push_back(std::move(row));
     }
@@ -219,7 +243,8 @@ class MutationReport {
                               equivalent ? std::optional<Name>(*equivalent) : std::nullopt});
     }
     for (const Control& c : controls_)
-      data.controls.push_back({c.id, c.precision, c.claims_bits ? "bits" : "formulae", c.queries, c.flagged});
+      data.controls.push_back({c.id, c.precision, c.claims_bits ? "bits" : "formulae", c.queries,
+                               c.queries == 0 ? std::nullopt : std::optional(c.flagged)});
     return json_of(data);
   }
 

@@ -60,7 +60,7 @@ struct CatchData {
 };
 
 struct CatchScoreData {
-  std::uint64_t mutants = 0, equivalent = 0, caught = 0, survived = 0, caught_within_10000 = 0;
+  std::uint64_t mutants = 0, equivalent = 0, caught = 0, survived = 0, not_judged = 0, caught_within_10000 = 0;
   std::optional<std::uint64_t> median_queries;
   std::uint64_t caught_by_formulae_alone = 0;
 
@@ -68,6 +68,8 @@ struct CatchScoreData {
                   AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
                   AXISCERT_FIELD(caught, "By a wrong verdict.", "mutants"),
                   AXISCERT_FIELD(survived, "Neither caught nor argued to be equivalent.", "mutants"),
+                  AXISCERT_FIELD(not_judged, "Mutants that were asked no valid query: none of these survived.",
+                                 "mutants"),
                   AXISCERT_FIELD(caught_within_10000, "By so many queries, of all families together.", "mutants"),
                   AXISCERT_FIELD(median_queries,
                                  "The number of queries by which half of the mutants that are not equivalent are "
@@ -94,17 +96,18 @@ struct ControlData {
   Name kernel;
   Precision precision = Precision::binary32;
   Name claims;
-  std::uint64_t queries = 0, flagged = 0;
+  std::uint64_t queries = 0;
+  std::optional<std::uint64_t> flagged;
 
   AXISCERT_FIELDS(ControlData, AXISCERT_FIELD(kernel, "The kernel."),
                   AXISCERT_FIELD(precision, "The precision of the queries."),
                   AXISCERT_FIELD(claims, "What it claims: its own bits, or the formulae alone."),
-                  AXISCERT_FIELD(queries, "Queries asked."),
-                  AXISCERT_FIELD(flagged, "Wrong verdicts that `logic` does not allow."))
+                  AXISCERT_FIELD(queries, "Valid queries asked."),
+                  AXISCERT_FIELD(flagged, "Wrong verdicts that `logic` does not allow; null: none was valid."))
 };
 
 struct MutationData : CommandData<MutationData> {
-  static constexpr std::string_view format = "axiscert-mutation/2",
+  static constexpr std::string_view format = "axiscert-mutation/3",
                                     title = "What the harness catches of the faults planted in a kernel";
   MutationRunData run;
   std::map<Precision, CatchScoreData> score;
@@ -132,13 +135,15 @@ struct FailureData {
 };
 
 struct GateScoreData {
-  std::uint64_t mutants = 0, equivalent = 0, refused = 0;
-  std::uint64_t survived() const { return mutants - equivalent - refused; }
+  std::uint64_t mutants = 0, equivalent = 0, refused = 0, not_judged = 0;
+  std::uint64_t survived() const { return mutants - equivalent - refused - not_judged; }
 
   AXISCERT_FIELDS(GateScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
                   AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
                   AXISCERT_FIELD(refused, "By the gate.", "mutants"),
-                  AXISCERT_FIELD(survived, "Neither refused nor equivalent.", "mutants"))
+                  AXISCERT_FIELD(survived, "Neither refused nor equivalent.", "mutants"),
+                  AXISCERT_FIELD(not_judged, "Mutants that were asked no valid query: none of these survived.",
+                                 "mutants"))
 };
 
 struct DeepestWrongData {
@@ -168,14 +173,14 @@ struct JudgedMutantData {
   std::optional<Name> reason;
   std::optional<SurvivalData> survival;
 
-  AXISCERT_FIELDS(JudgedMutantData, inlined(&Of::mutant), AXISCERT_FIELD(magnitude, "E; null for a fault without one."),
-                  AXISCERT_FIELD(trials, "Queries of each family after which it was refused, or which it passed."),
-                  AXISCERT_FIELD(refused, "What the gate says; null: nothing."),
-                  AXISCERT_FIELD(reason,
-                                 "Why it passed: equivalent, no-other-verdict, never-wrong, not-in-exact-arithmetic, "
-                                 "touching or let-pass; null where it was refused."),
-                  AXISCERT_FIELD(survival,
-                                 "How a survivor differs from the kernel without the fault; null for others."))
+  AXISCERT_FIELDS(
+      JudgedMutantData, inlined(&Of::mutant), AXISCERT_FIELD(magnitude, "E; null for a fault without one."),
+      AXISCERT_FIELD(trials, "Queries of each family after which it was refused, or which it passed."),
+      AXISCERT_FIELD(refused, "What the gate says; null: nothing."),
+      AXISCERT_FIELD(reason,
+                     "Why it passed: equivalent, no-other-verdict, never-wrong, not-in-exact-arithmetic, "
+                     "touching or let-pass; not-judged: no query asked was valid; null where it was refused."),
+      AXISCERT_FIELD(survival, "How a survivor differs from the kernel without the fault; null for others."))
 };
 
 struct GateControlData {

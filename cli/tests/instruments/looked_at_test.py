@@ -136,6 +136,22 @@ class LookedAt(Case):
             self.assertIsNone(total["right"])
             self.assertTrue(self.text(*arguments, code=1).startswith("Nothing was measured of "))
 
+    def test_no_bits_suffice_in_a_format_that_has_no_query(self):
+        big = json.dumps({"id": "big", "precision": "binary32", "a": [200000, 0, 0], "b": [200000, 0, 0], "c": [300000, 0, 0], "p": [0, 0, 0], "r": 100000})
+        (self.folder / "big.jsonl").write_text(big + "\n")
+        rounded = ("precision", "--kernel", "published", "--queries", self.folder / "big.jsonl", "--number", "fp8-e4m3", "--round-inputs")
+        data = self.json("precision", *rounded, code=1)
+        sufficient = data["sufficient"]["published"]
+        self.assertEqual({sufficient["verdict"], sufficient["own_verdict"]} | {c["sufficient_bits"] for c in sufficient["comparisons"].values()}, {None})
+        (step,) = data["all"]["kernels"]["published"]["precisions"]
+        self.assertEqual((step["queries"], step["unlimited_rate"], step["limited_rate"]), (0, None, None))
+        shown = self.text(*rounded, code=1)
+        self.assertTrue(shown.startswith("Nothing was measured. "), shown[:100])
+        self.assertIn("not measured", shown)
+        self.assertNotIn("means less than", shown)
+        both = self.json("precision", *rounded, "--number", "binary32")
+        self.assertEqual(both["sufficient"]["published"]["own_verdict"], 24)
+
     def test_a_check_says_of_each_query_what_became_of_it(self):
         for kernel, standings, is_silent in ((promise("keeps_its_promise"), ["decided", "decided"], False),
                                              (promise("declines_contacts"), ["declined", "decided"], False),

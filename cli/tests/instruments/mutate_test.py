@@ -126,6 +126,23 @@ class Mutate(MutateCase):
         base = axiscert("run", "--kernel", "nonstrict", "--trials", 500, "--require", "logic", "--out", self.folder / "run")
         self.assertEqual(base.returncode, 0, base.stderr)
 
+    def test_on_queries_that_are_not_valid_nothing_survives(self):
+        for words, said in (((), "mutation"), (("--verdict-only",), "mutation-by-verdict")):
+            plan = ("mutate", *words, "--family", "nonfinite", "--trials", 1, "--mutant", "operator", "--precision", "binary32")
+            done = axiscert(*plan, "--format", "json")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            found = json.loads(done.stdout)
+            schema = schema_of(said)
+            jsonschema.validators.validator_for(schema)(schema).validate(found)
+            score = found["score"]["binary32"]
+            self.assertEqual((score["survived"], score["not_judged"]), (0, score["mutants"] - score["equivalent"]))
+            self.assertGreater(score["not_judged"], 0)
+            if not words:
+                self.assertEqual({(c["queries"], c["flagged"]) for c in found["controls"]}, {(0, None)})
+            shown = axiscert(*plan).stdout
+            self.assertTrue(shown.startswith("Nothing was judged"), shown[:100])
+            self.assertIn("not judged", shown)
+
     def test_controls_are_not_flagged(self):
         found = self.mutate("--mutant", "drop:plane", "--trials", 64 * 20, "--kernel", "reduced-nonstrict")
         claims = {(c["kernel"], c["claims"]) for c in found["controls"]}

@@ -156,13 +156,13 @@ PrecisionTallies measure_sources(const PrecisionPlan& plan, const ShowProgress& 
   return for_each_judged<Real>(judged, none, report, {}, visit, axiscert::merge<PrecisionTallies>).counts;
 }
 
-// The least number of bits from which on `flips` counts none.
+// The least number of bits from which on `flips` counts none, in formats that have some of the queries.
 template <class Flips>
 std::optional<int> sufficient(const PrecisionPlan& plan, const KernelPrecision& kernel, Flips&& flips) {
   std::optional<int> least, greater;  // greater: the bits before them in the list
   for (std::size_t i = plan.step_count(); i-- > 0;) {
-    if (flips(kernel.steps[i]) != 0) {
-      // Nothing is said of bits of which one step flips.
+    if (kernel.steps[i].queries == 0 || flips(kernel.steps[i]) != 0) {
+      // Nothing is said of bits of which one step flips, or was measured on nothing.
       if (least == plan.number_of(i).bits) least = greater;
       break;
     }

@@ -115,8 +115,8 @@ struct PrecisionTally {
 std::vector<PrecisionTally> measure_precision(const PrecisionPlan& plan, const ShowProgress& report = {});
 PrecisionTally total(const std::vector<PrecisionTally>& tallies);
 
-// The least bits of the plan's formats from which on, with unlimited exponents, none of these occurs; empty if one
-// occurs at the last:
+// The least bits of the plan's formats from which on, with unlimited exponents, each has queries, and none of these
+// occurs; empty if the last has no query, or one occurs there:
 //   verdict           a wrong verdict, against the geometric truth
 //   own_verdict       a verdict other than that of the kernel's formulae in exact arithmetic
 //   sufficient_bits   a flip of any of some comparisons
@@ -125,7 +125,9 @@ struct SufficientVerdictBits {
 
   AXISCERT_FIELDS(
       SufficientVerdictBits,
-      AXISCERT_FIELD(verdict, "From so many bits on no verdict of these queries is wrong; null: none of those asked."),
+      AXISCERT_FIELD(verdict,
+                     "From so many bits on no verdict of these queries is wrong; null: none of those asked, or the "
+                     "last was measured on nothing."),
       AXISCERT_FIELD(own_verdict, "The same against the formulae in exact arithmetic."))
 };
 SufficientVerdictBits sufficient_verdict_bits(const PrecisionPlan& plan, const KernelPrecision& kernel);

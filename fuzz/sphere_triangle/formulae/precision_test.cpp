@@ -194,6 +194,7 @@ TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
   PrecisionPlan plan = plan_of({"published"}, {}, 1);
   KernelPrecision kernel;
   kernel.steps.resize(plan.step_count());
+  for (PrecisionStep& step : kernel.steps) step.queries = 1;
   const auto side_c = index_of(Comparison::vertex_a_side_c);
   auto& flips = kernel.steps[1].unlimited;
   flips.comparisons[side_c] = 1;
@@ -204,8 +205,13 @@ TEST(MeasurePrecision, SufficientBitsAreTheLastRunWithoutAFlip) {
   EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c + 1)), 8);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).verdict, 24);
   EXPECT_EQ(sufficient_verdict_bits(plan, kernel).own_verdict, 256);
+  kernel.steps[2].queries = 0;
+  EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c + 1)), 53) << "of 24 bits nothing is known";
   kernel.steps[4].unlimited.comparisons[side_c] = 1;
   EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), std::nullopt);
+  for (PrecisionStep& step : kernel.steps) step = {};
+  EXPECT_EQ(sufficient_bits(plan, kernel, one_bit<ComparisonBits>(side_c)), std::nullopt) << "0 flips of 0 queries";
+  EXPECT_EQ(sufficient_verdict_bits(plan, kernel).verdict, std::nullopt);
 }
 
 TEST(MeasurePrecision, AnotherArithmeticIsRefused) {

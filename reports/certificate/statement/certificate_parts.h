@@ -98,22 +98,25 @@ struct EffortRule {
 };
 
 struct LeftOutStatement {
-  std::uint64_t no_query = 0, outside_limits = 0, touching = 0, declined = 0, invalid = 0, unanswered = 0;
+  std::uint64_t no_query = 0, outside_limits = 0, touching = 0, declined = 0, declined_contacts = 0, invalid = 0,
+                unanswered = 0;
 
   AXISCERT_FIELDS(LeftOutStatement, AXISCERT_FIELD(no_query), AXISCERT_FIELD(outside_limits), AXISCERT_FIELD(touching),
-                  AXISCERT_FIELD(declined), AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered))
+                  AXISCERT_FIELD(declined), AXISCERT_FIELD(declined_contacts, "Of the declined, those in contact."),
+                  AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered))
 };
 
 struct AskedStatement {
   Text<EffortRule> effort;
   WholeNumber seed;
-  std::uint64_t stretches = 0, queries = 0, looked_at = 0;
+  std::uint64_t stretches = 0, queries = 0, contacts = 0, separations = 0, looked_at = 0;
   LeftOutStatement left_out;
   Several<SaidText, 0, 10000> families;
 
   AXISCERT_FIELDS(AskedStatement, AXISCERT_FIELD(effort), AXISCERT_FIELD(seed), AXISCERT_FIELD(stretches),
-                  AXISCERT_FIELD(queries), AXISCERT_FIELD(looked_at), AXISCERT_FIELD(left_out),
-                  AXISCERT_FIELD(families))
+                  AXISCERT_FIELD(queries), AXISCERT_FIELD(contacts, "Of these, promised ones that are in contact."),
+                  AXISCERT_FIELD(separations, "And those that are not."), AXISCERT_FIELD(looked_at),
+                  AXISCERT_FIELD(left_out), AXISCERT_FIELD(families))
 };
 
 // What it rests on that a level is met.
@@ -258,13 +261,21 @@ struct FindStatement {
 struct SearchedStatement {
   std::uint64_t evaluations = 0, begun_from = 0;
   NamedValues<std::optional<FindStatement>> finds;
+  NamedValues<std::uint64_t> looked_at;
 
   const FindStatement* find(std::string_view goal) const {
     const auto* found = finds.find(goal);
     return found && *found ? &**found : nullptr;
   }
+  std::uint64_t looked_at_for(std::string_view goal) const {
+    const std::uint64_t* found = looked_at.find(goal);
+    return found ? *found : 0;
+  }
   AXISCERT_FIELDS(SearchedStatement, AXISCERT_FIELD(evaluations), AXISCERT_FIELD(begun_from),
-                  AXISCERT_FIELD(finds, "The worst of each goal; null: none was found."))
+                  AXISCERT_FIELD(finds, "The worst of each goal; null: none was found."),
+                  AXISCERT_FIELD(looked_at,
+                                 "By goal, the queries evaluated for it that were decided, or had the number that it "
+                                 "is about; 0: that none was found says nothing."))
 };
 using SearchesStatement = StageStatement<NamedValues<SearchedStatement>>;
 

@@ -42,7 +42,9 @@ const std::array<Kind, 5>& kinds() {
 double rate_per_million(std::uint64_t count, std::uint64_t queries) {
   return queries == 0 ? 0 : 1e6 * static_cast<double>(count) / static_cast<double>(queries);
 }
-std::string rate(std::uint64_t count, std::uint64_t queries) { return amount(rate_per_million(count, queries), 3); }
+std::string rate(std::uint64_t count, std::uint64_t queries) {
+  return queries == 0 ? "not measured" : amount(rate_per_million(count, queries), 3);
+}
 
 int own_digits(const PrecisionPlan& plan) {
   return plan.precision == Precision::binary32 ? std::numeric_limits<float>::digits
@@ -137,7 +139,10 @@ InstrumentTable left_out_table(const PrecisionPlan& plan, const PrecisionTally& 
   return table;
 }
 
-std::string sufficient_text(std::optional<int> bits) { return bits ? fmt::format("{}", *bits) : "none"; }
+std::string sufficient_text(std::optional<int> bits, const KernelPrecision& kernel) {
+  if (bits) return fmt::format("{}", *bits);
+  return kernel.steps.back().queries == 0 ? "not measured" : "none";
+}
 std::string degree_text(std::optional<double> degree) { return degree ? fmt::format("{}", *degree) : "zero"; }
 
 InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally& all) {
@@ -156,12 +161,13 @@ InstrumentTable sufficient_table(const PrecisionPlan& plan, const PrecisionTally
         table.rows.push_back({id, std::string(kind.name), degree_text(d.lhs), degree_text(d.rhs),
                               d.bits ? fmt::format("{} b + {}", d.bits->per_bit, d.bits->constant) : "none",
                               d.bits ? fmt::format("{}", d.bits->at(b)) : "none",
-                              sufficient_text(sufficient_bits(plan, kernel, kind.comparisons))});
+                              sufficient_text(sufficient_bits(plan, kernel, kind.comparisons), kernel)});
       }
     }
     const SufficientVerdictBits verdict = sufficient_verdict_bits(plan, kernel);
-    table.rows.push_back({id, "verdict, as in exact arithmetic", "", "", "", "", sufficient_text(verdict.own_verdict)});
-    table.rows.push_back({id, "verdict, as the geometry", "", "", "", "", sufficient_text(verdict.verdict)});
+    table.rows.push_back(
+        {id, "verdict, as in exact arithmetic", "", "", "", "", sufficient_text(verdict.own_verdict, kernel)});
+    table.rows.push_back({id, "verdict, as the geometry", "", "", "", "", sufficient_text(verdict.verdict, kernel)});
   }
   return table;
 }
@@ -251,10 +257,19 @@ std::string rounding_text(const PrecisionPlan& plan) {
   return "";
 }
 
+// Of the formats that have any; 0: none has.
+std::uint64_t fewest_queries(const PrecisionTally& all) {
+  std::uint64_t fewest = 0;
+  for (const PrecisionStep& step : all.kernels.front().steps) {
+    if (step.queries != 0) fewest = fewest == 0 ? step.queries : std::min(fewest, step.queries);
+  }
+  return fewest;
+}
+
 std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& all) {
   std::string families;
   for (const SourcePtr& source : plan.sources) families += (families.empty() ? "" : ", ") + source->name();
-  const double limit = 1e6 * excluded_rate(all.queries);
+  const std::uint64_t fewest = fewest_queries(all);
   const bool is_checked = plan.rounding == RoundingRule::nearest;
   return {
       fmt::format("{} valid {} queries: {}. {} Every operation of the formulae is rounded {} in the format (MPFR). "
@@ -285,8 +300,12 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
       "Figures of all families together have each query with the same weight; those by family stand below.",
       "Error bars, and in the JSON and CSV `low` and `high`: Wilson's limits of a rate, 95 %. Queries of one triangle "
       "or image group, the comparisons of a query and its seeds count as one.",
-      fmt::format("0 among these queries means less than {} per million of them, 95 %, for these generators only.",
-                  amount(limit, 3))};
+      fewest == 0
+          ? std::string("No format has any of these queries: nothing was measured.")
+          : fmt::format(
+                "0 among {} of these queries means less than {} per million of them, 95 %, for these generators "
+                "only.",
+                thousands(fewest), amount(1e6 * excluded_rate(fewest), 3))};
 }
 
 }  // namespace
@@ -294,13 +313,16 @@ std::vector<std::string> notes(const PrecisionPlan& plan, const PrecisionTally& 
 InstrumentReport precision_report(const PrecisionPlan& plan, const std::vector<PrecisionTally>& tallies,
                                   const std::string& command) {
   const PrecisionTally all = total(tallies);
+  const bool is_of_nothing = fewest_queries(all) == 0;
   InstrumentReport report{"precision",
-                          fmt::format("What precision costs, {} queries", name(plan.precision)),
+                          fmt::format("{}What precision costs, {} queries",
+                                      is_of_nothing ? "Nothing was measured. " : "", name(plan.precision)),
                           command,
                           notes(plan, all),
                           {verdict_table(plan, all, unlimited), verdict_table(plan, all, limited)},
                           precision_plots(plan, tallies, all),
                           precision_json(plan, tallies, all, command)};
+  report.is_of_nothing = is_of_nothing;
   if (plan.round_inputs) report.tables.push_back(left_out_table(plan, all));
   const std::vector<std::size_t> apart = shown_numbers(plan, 12);
   if (!apart.empty()) report.tables.push_back(separation_table(plan, all, apart));

@@ -28,7 +28,8 @@ struct ComparisonBitsData {
       AXISCERT_FIELD(integer_bits,
                      "Enough to round nothing on integers of b bits; null for a form with roots or divisions."),
       AXISCERT_FIELD(sufficient_bits,
-                     "From so many bits on it does not flip on these queries; null: none of those asked."))
+                     "From so many bits on it does not flip on these queries; null: none of those asked, or the last "
+                     "was measured on nothing."))
 };
 
 struct SufficientData {
