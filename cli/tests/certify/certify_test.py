@@ -105,6 +105,11 @@ class Certify(CertifyCase):
         self.assertFalse([level for level in predicate["levels"] if level["state"] == "met"])
         self.assertIn("not known: it answered none of", words)
         self.assertNotIn("none is needed", words)
+        self.assertNotIn("Nothing broke", words)
+        self.assertEqual(predicate["asked"]["looked_at"], 0)
+        (search,) = predicate["search"]["precisions"].values()
+        self.assertEqual((set(search["finds"]), set(search["looked_at"].values())), (set(search["looked_at"]), {0}))
+        self.assertRegex(words, r"missed_contact +not looked at")
 
     def test_what_a_kernel_leaves_out_is_said_first(self):
         for name, left_out, said in (("declines_declared", "declined", "Met of the 9"), ("limited_to_far", "outside_limits", "outside its limits")):
