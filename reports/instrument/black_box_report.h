@@ -29,14 +29,14 @@ inline constexpr PassReason
                 "wrong only in families whose arithmetic rounds, where a kernel without formulae may be"},
     touching = {"touching", "in exact arithmetic wrong only on spheres that touch, which are not counted"},
     let_pass = {"let-pass", "wrong in exact arithmetic, and the gate does not count it"},
-    not_judged = {"not-judged", "no query asked was valid: it was not judged"};
+    no_valid_query = {"not-judged", "no query asked was valid: it was not judged"};
 
 inline bool is_not_judged(const BlackBoxResult& r) { return has_survived(r) && r.survival && r.survival->valid == 0; }
 
 inline const PassReason& reason_of(const BlackBoxResult& r) {
   if (is_equivalent(r)) return equivalent;
   const Survival& s = *r.survival;
-  if (s.valid == 0) return not_judged;
+  if (s.valid == 0) return no_valid_query;
   if (s.other_verdicts == 0) return not_shown;
   if (s.wrong == 0) return never_wrong;
   if (s.wrong_in_exact != 0) return let_pass;
