@@ -171,6 +171,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
             {"best", 800 - late},
             {"late", late},
             {"given", given_beside(900)},
+            {"judged", 900},
             {"late_errors", errors},
             {"late_tunnels", tunnels(late_tunnel)},
             {"early_errors", none},
@@ -197,7 +198,9 @@ inline Json motions(const Json& on_tangent) {
   kernel["measures"] = {"time"};
   kernel["families"]["lattice"]["contacts"] = contacts(0, 0, 0);
   kernel["families"]["lattice"]["verdict"]["invalid"] = 0;
-  kernel["families"]["tangent"]["contacts"] = on_tangent;
+  Json& tangent = kernel["families"]["tangent"]["contacts"] = on_tangent;
+  if (Json& time = tangent["time"]; time.is_object())
+    time["judged"] = time["early"].get<int>() + time["best"].get<int>() + time["late"].get<int>();
   Json witness = record["witnesses"].back();
   witness["id"] = "late";
   witness["family"] = "tangent";
