@@ -23,10 +23,10 @@ def shown(x):
 
 
 def valued(text):
-    """"3/4", "sqrt(2)", "1/2 - sqrt(1/3)" and "|sqrt(2) - 1| / sqrt(3)" to two thousand digits."""
+    """"3/4", "sqrt(2)", "1/2 - sqrt(1/3)" and "|sqrt(2) - 1| / (3/4)" to two thousand digits."""
     if text.startswith("|"):
         length, scene = text[1:].split("| / ")
-        return abs(valued(length)) / valued(scene)
+        return abs(valued(length)) / valued(scene.strip("()") if scene.startswith("(") else scene)
     sum, sign = decimal.Decimal(0), 1
     for word in text.split():
         if word in "+-":

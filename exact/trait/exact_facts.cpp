@@ -20,7 +20,11 @@ std::string exactly(const ExactDepth& depth) {
   const auto& [dd, r, ss] = depth;
   if (sgn(r) == 0) return exact_text(RootNumber{0, Rational(dd / ss)});
   const std::optional<Rational> d = rational_root(dd);
-  if (!d) return "|sqrt(" + dd.get_str() + ") - " + r.get_str() + "| / " + exact_text(RootNumber{0, ss});
+  if (!d) {
+    const std::string scene = exact_text(RootNumber{0, ss});
+    const bool is_fraction = scene.find('/') != scene.npos;
+    return "|sqrt(" + dd.get_str() + ") - " + r.get_str() + "| / " + (is_fraction ? "(" + scene + ")" : scene);
+  }
   const Rational length = *d - r;
   return exact_text(RootNumber{0, Rational(length * length / ss)});
 }

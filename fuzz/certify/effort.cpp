@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t two_to(int exponent) { return std::uint64_t{1} << exponent; }
 
 // `published` takes some 2 and 20 minutes at quick and standard, on two cores (docs/certify.md).
-constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), two_to(14), 16, 256, two_to(6)},
+constexpr EnumArray<Effort, EffortSize> effort_sizes = {EffortSize{two_to(8), two_to(16), 16, 256, two_to(6)},
                                                         EffortSize{two_to(19), two_to(26), two_to(11), 4, two_to(12)},
                                                         EffortSize{two_to(22), two_to(30), two_to(14), 2, two_to(12)},
                                                         EffortSize{two_to(24), two_to(33), two_to(16), 1, two_to(13)}};

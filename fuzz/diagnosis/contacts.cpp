@@ -227,6 +227,13 @@ ProbeFinding normals(Subject<Real>& subject) {
                    witness_of(subject, *shown, fmt::format("the normal is {:.3g} radians off", angle(*shown))),
                    measured);
   };
+  // A normal of 0 has no direction, and its angle is pi.
+  const std::size_t place = *first_measure(subject.predicate(), kind), zeros = count([&](const JudgedContact<Real>& one) {
+    return std::ranges::all_of(std::span(one.measures).subspan(place, 3), [](double x) { return x == 0; });
+  });
+  if (zeros != 0 && holds_on_most(all.size() - (wrong - zeros), all.size()))
+    return found(Normals::not_normalised,
+                 fmt::format("{} of {} normals on clear queries are 0, which is no direction.", zeros, all.size()));
   if (!holds_on_most(all.size() - wrong, all.size())) {
     constexpr double nearly_opposite = std::numbers::pi - 1e-2;
     const std::size_t opposite = count([&](const JudgedContact<Real>& one) { return angle(one) > nearly_opposite; });
@@ -249,6 +256,18 @@ ProbeFinding normals(Subject<Real>& subject) {
     return found(
         Normals::not_normalised,
         fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
+  // Few directions may be far off for rounding, where the exact one is of a short vector; no length, and no side.
+  const auto is_flip = [](const JudgedContact<Real>& one) { return one.found.pushed && one.found.pushed->is_flip; };
+  if (const std::size_t flips = count(is_flip); flips != 0)
+    return found(Normals::wrong,
+                 fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()));
+  const auto longest = std::ranges::max_element(all, {}, length);
+  if (const double most = length(*longest); most > small<Real>)
+    return decided(Normals::not_normalised,
+                   fmt::format("Its normals have the right direction; {} of {} have lengths that are off, by up to "
+                               "{:.3g} of 1.",
+                               count([&](const auto& one) { return length(one) > small<Real>; }), all.size(), most),
+                   witness_of(subject, *longest, fmt::format("the normal's length is {:.3g} off", most)), measured);
   return decided(
       Normals::right,
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),

@@ -187,7 +187,7 @@ TEST(Search, AComparisonWhoseSidesAreNoNumbersWasNotLookedAt) {
     };
     return made;
   };
-  SearchPlan plan = plan_of("published", {Comparison::plane_radius, Comparison::vertex_a_radius}, 1 << 14);
+  SearchPlan plan = plan_of("published", {Comparison::plane_radius, Comparison::vertex_a_radius}, 1 << 18);
   plan.kernel = &kernel;
   const SearchResult result = found_by(plan);
   for (std::size_t i = 0; i < result.aims.size(); ++i) {

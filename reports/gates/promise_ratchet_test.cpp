@@ -103,7 +103,9 @@ TEST(RatchetOfPromises, ANumberBesideFewerAnswersIsNoBetter) {
     for (auto& [name, part] : contacts.items()) {
       if (name != "answers" && name != "separations" && name != "separation") part = nullptr;
     }
-    Json& separation = contacts["separation"];
+    SeparationTally with_figures;
+    with_figures.judged = 1;
+    Json& separation = contacts["separation"] = json_of(with_figures);
     separation["judged"] = separation["given"]["contacts"] = answers;
     separation["given"]["which_contacts"] = fmt::format("{:x}", answers);
     separation["largest_error"] = error;

@@ -63,7 +63,7 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
     report.notes.push_back(fmt::format("{}: {}. {}", property->name, property->value, property->sentence));
   }
   report.notes.push_back(
-      "Only verdicts were looked at. A value is given where the answers decide it; not_known: they "
+      "Only answers were looked at. A value is given where the answers decide it; not_known: they "
       "do not; not_asked: the probe does not apply. Nothing is said of queries that were not asked.");
   report.tables = {diagnosis_property_table(diagnosis)};
   if (InstrumentTable witnesses = diagnosis_witness_table(diagnosis); !witnesses.rows.empty()) {

@@ -146,7 +146,7 @@ class BrokenCertificates(CertifyCase):
             "a family left out of the plan": lambda: [self.remade(without_family)],
             "a tally that comes out otherwise": lambda: [self.remade(self.other_tallies), "--recheck", "1%"],
             "cut off": lambda: [self.written(whole[:-200])],
-            "another version of the format": lambda: [self.written(whole.replace(b"certificate:4", b"certificate:2"))],
+            "another version of the format": lambda: [self.written(whole.replace(b"certificate:5", b"certificate:2"))],
             "made by another axiscert": lambda: [self.remade(self.of_another_axiscert)],
             "made by another axiscert, `--recheck`": lambda: [self.remade(self.of_another_axiscert), "--recheck", "1%"],
             "a kernel that is to be rechecked and was not given": lambda: [self.certificate_of(f"plugin:{BUILD}/promises/always_contact.so", name="plugin"), "--recheck", "1%"],

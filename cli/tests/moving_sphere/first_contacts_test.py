@@ -61,7 +61,8 @@ class FirstContacts(Case):
         self.assertGreater(general["late"], 0)
 
         def later(kernel):
-            kernel["families"]["moving-sphere/general"]["contacts"]["time"]["late"] += 1
+            for count in ("late", "judged"):
+                kernel["families"]["moving-sphere/general"]["contacts"]["time"][count] += 1
 
         worse = self.edited(record, later)
         same = axiscert("compare", self.folder / "out", self.folder / "out")
