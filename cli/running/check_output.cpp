@@ -281,7 +281,9 @@ CheckLine check_line(const std::string& id, const Kernel& kernel, const CheckRes
 std::string errors_text(const Predicate& predicate, const std::optional<SideErrors>& errors) {
   if (!errors) return "  no computed sides to measure";
   std::string text;
-  const auto amount = [](const std::optional<Decimal6>& error) { return error ? error->text() + " u" : "not measured"; };
+  const auto amount = [](const std::optional<Decimal6>& error) {
+    return error ? error->text() + " u" : "not measured";
+  };
   for (std::size_t k = 0; k < predicate.comparisons.size(); ++k) {
     text += fmt::format("{}  {}: error {}, relative {}", k == 0 ? "" : "\n", predicate.comparisons[k].name,
                         amount(errors->absolute[k]), amount(errors->relative[k]));

@@ -228,9 +228,11 @@ ProbeFinding normals(Subject<Real>& subject) {
                    measured);
   };
   // A normal of 0 has no direction, and its angle is pi.
-  const std::size_t place = *first_measure(subject.predicate(), kind), zeros = count([&](const JudgedContact<Real>& one) {
-    return std::ranges::all_of(std::span(one.measures).subspan(place, 3), [](double x) { return x == 0; });
-  });
+  const std::size_t place = *first_measure(subject.predicate(), kind),
+                    zeros = count([&](const JudgedContact<Real>& one) {
+                      return std::ranges::all_of(std::span(one.measures).subspan(place, 3),
+                                                 [](double x) { return x == 0; });
+                    });
   if (zeros != 0 && holds_on_most(all.size() - (wrong - zeros), all.size()))
     return found(Normals::not_normalised,
                  fmt::format("{} of {} normals on clear queries are 0, which is no direction.", zeros, all.size()));

@@ -84,12 +84,12 @@ inline constexpr Same same;
 }  // namespace by
 
 struct Field {
-  std::string_view name;        // in JSON, and in the path of a column
-  std::string_view about = {};  // one sentence: what is counted, and what null means
-  std::string_view unit = {};   // empty: queries, of a count; of another number, none
-  bool is_inlined = false;      // JSON has the fields of this struct in its place
-  bool may_be_absent = false;   // an empty optional is left out of JSON, and not null
-  bool is_rest = false;         // a Named: its values are members of the struct's object, whatever their names
+  std::string_view name;            // in JSON, and in the path of a column
+  std::string_view about = {};      // one sentence: what is counted, and what null means
+  std::string_view unit = {};       // empty: queries, of a count; of another number, none
+  bool is_inlined = false;          // JSON has the fields of this struct in its place
+  bool may_be_absent = false;       // an empty optional is left out of JSON, and not null
+  bool is_rest = false;             // a Named: its values are members of the struct's object, whatever their names
   std::string_view looked_at = {};  // the count beside it of what it was seen on; where that is 0, JSON has null here
 };
 

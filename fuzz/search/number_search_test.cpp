@@ -163,8 +163,8 @@ TEST(SearchNumbers, DoNotDependOnThreadsOrWhereItStopped) {
 }
 
 TEST(SearchNumbers, ANumberThatIsNeverGivenWasNotLookedAt) {
-  const Kernel kernel = faulty("closest-point", sides_and_radius,
-                               [](double, std::vector<double>& m) { m[0] = std::nan(""); });
+  const Kernel kernel =
+      faulty("closest-point", sides_and_radius, [](double, std::vector<double>& m) { m[0] = std::nan(""); });
   SearchPlan plan;
   plan.kernel = &kernel;
   plan.precision = Precision::binary64;

@@ -61,8 +61,8 @@ struct SearchResult {
   // By aim, the queries that were evaluated for it; they may be a few less than its islands' shares.
   std::vector<LookedAt> looked_at;
   std::vector<std::uint64_t> judged;  // by aim: those with what it is about, where is_about_a_part()
-  LookedAt begun;     // the queries of the run from which the search began
-  std::string state;  // from which a later run continues
+  LookedAt begun;                     // the queries of the run from which the search began
+  std::string state;                  // from which a later run continues
 
   LookedAt evaluated() const {  // for any aim
     LookedAt all;

@@ -180,8 +180,8 @@ class SearchReport {
   InstrumentTable number_table() const {
     InstrumentTable table{"Numbers beside the verdict", {"what", "judged", "worst", "unit"}, {}};
     for (const Aim& aim : numbers_asked()) {
-      table.rows.push_back(
-          {std::string(word(fault_of(aim))), thousands(result_.judged[index_of(aim)]), error_cell(aim), find(aim) ? std::string(unit_of(fault_of(aim))) : ""});
+      table.rows.push_back({std::string(word(fault_of(aim))), thousands(result_.judged[index_of(aim)]), error_cell(aim),
+                            find(aim) ? std::string(unit_of(fault_of(aim))) : ""});
     }
     return table;
   }
@@ -244,7 +244,8 @@ class SearchReport {
     for (const std::size_t which : comparisons_asked()) data.comparisons.push_back(comparison_data(which));
     data.verdict = verdict_data();
     for (const Aim& aim : numbers_asked())
-      data.numbers.push_back({word(fault_of(aim)), result_.judged[index_of(aim)], made_of(find(aim), value_of), made_of(find(aim), witness_of)});
+      data.numbers.push_back({word(fault_of(aim)), result_.judged[index_of(aim)], made_of(find(aim), value_of),
+                              made_of(find(aim), witness_of)});
     data.begun_from = {plan_.first_queries, names_of(plan_.first_sources), result_.begun};
     return json_of(data);
   }

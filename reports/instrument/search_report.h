@@ -90,7 +90,8 @@ struct NumberFindData {
 
   AXISCERT_FIELDS(
       NumberFindData, AXISCERT_FIELD(what, "The error, by the name of the level that is for it: `separation`, `left`."),
-      AXISCERT_FIELD(judged, "Queries that were evaluated for it, and whose answer had it, where it could be compared."),
+      AXISCERT_FIELD(judged,
+                     "Queries that were evaluated for it, and whose answer had it, where it could be compared."),
       AXISCERT_FIELD(value,
                      "The greatest, rounded up to six digits: an angle in radians, what is left as a share of the "
                      "depth, a length less 1, else a share of the scene; null: none found among those judged."),
