@@ -26,7 +26,7 @@ def valued(text):
     """"3/4", "sqrt(2)", "1/2 - sqrt(1/3)" and "|sqrt(2) - 1| / (3/4)" to two thousand digits."""
     if text.startswith("|"):
         length, scene = text[1:].split("| / ")
-        return abs(valued(length)) / valued(scene.strip("()") if scene.startswith("(") else scene)
+        return abs(valued(length)) / valued(scene[1:-1] if scene.startswith("(") else scene)
     sum, sign = decimal.Decimal(0), 1
     for word in text.split():
         if word in "+-":

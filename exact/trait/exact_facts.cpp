@@ -22,7 +22,7 @@ std::string exactly(const ExactDepth& depth) {
   const std::optional<Rational> d = rational_root(dd);
   if (!d) {
     const std::string scene = exact_text(RootNumber{0, ss});
-    const bool is_fraction = scene.find('/') != scene.npos;
+    const bool is_fraction = !scene.starts_with("sqrt") && scene.find('/') != scene.npos;
     return "|sqrt(" + dd.get_str() + ") - " + r.get_str() + "| / " + (is_fraction ? "(" + scene + ")" : scene);
   }
   const Rational length = *d - r;
