@@ -72,8 +72,7 @@ SearchedStatement search_precision(const StagedCertificate& staged, Precision pr
     const Aim& aim = result.aims[i];
     if (is_about_a_comparison(aim.goal)) continue;
     said.finds.put(name(aim, *plan.kernel->predicate));
-    said.looked_at.put(name(aim, *plan.kernel->predicate)) =
-        aim.goal == Goal::number ? result.judged[i] : result.looked_at[i].decided;
+    said.looked_at.put(name(aim, *plan.kernel->predicate)) = result.seen(i);
   }
   for (const Find& find : result.finds) {
     if (!is_about_a_comparison(find.aim.goal))

@@ -218,10 +218,9 @@ Json counts_json(const Kernel& kernel, const Tally& tally) {
   if (family.classes) {
     for (Json& count : json["classes"]) count.erase("witness");
   }
+  if (family.contacts) put_unseen(json["contacts"], *family.contacts);
   if (family.contacts && family.contacts->time) {
-    for (const char* errors : {"late_errors", "early_errors"}) {
-      if (Json& side = json["contacts"]["time"][errors]; side.is_object()) side.erase("by_power");
-    }
+    for (const char* errors : {"late_errors", "early_errors"}) json["contacts"]["time"][errors].erase("by_power");
   }
   if (family.contacts && family.contacts->separation) json["contacts"]["separation"].erase("by_decade");
   Json& findings = json["findings"] = Json::object();

@@ -82,12 +82,11 @@ void clear_unseen(Json& object, const Field& field) {
 
 bool is_unseen(const JsonPlace& place, const Field& field) {
   if (field.looked_at.empty() || !place.has(field.name)) return false;
-  return place.at(field.looked_at).value() == 0 && place.at(field.name).value().is_null();
+  return place.at(field.looked_at).value() == 0;
 }
 
 void require_nothing(const JsonPlace& place, const Field& field, const Json& value, const Json& nothing) {
-  if (value != nothing && place.at(field.looked_at).value() == 0)
-    place.at(field.name).refuse(fmt::format("is not null, though {} is 0", field.looked_at));
+  if (value != nothing) place.at(field.name).refuse(fmt::format("is not null, though {} is 0", field.looked_at));
 }
 
 // The length is counted in bytes, which is at least as strict as in characters. A text over its limit never reaches the

@@ -26,9 +26,9 @@ Json object_schema(bool is_open, std::string_view about);
 void describe_member(Json& schema, const Field& field, Json (*schema_of_member)());
 // Makes the member null where it was looked at on nothing.
 void clear_unseen(Json& object, const Field& field);
-// Whether it is null for that reason.
+// Whether a member that is there was looked at on nothing.
 bool is_unseen(const JsonPlace& place, const Field& field);
-// Throws JsonFault where it was looked at on nothing, and says more than nothing: then `value` is not `nothing`.
+// Throws JsonFault where a member that was looked at on nothing says more than that: then `value` is not `nothing`.
 void require_nothing(const JsonPlace& place, const Field& field, const Json& value, const Json& nothing);
 // Throws JsonFault where a member is not what the members beside it say.
 void require_said(const JsonPlace& place, std::string_view member, const Json& expected);
@@ -97,18 +97,19 @@ struct JsonForm<T> {
         if constexpr (is_named_list<Value>) {
           if (field.is_rest) return void(of = {});
         }
-        if (is_unseen(place, field)) return;
+        const bool unseen = is_unseen(place, field);
+        if (unseen && place.at(field.name).value().is_null()) return;
         if constexpr (is_optional<Value>) {
           if (field.may_be_absent) {
             of.reset();
             if (!place.has(field.name)) return;
             read_member(place, field.name, of.emplace());
-            if (!field.looked_at.empty()) require_nothing(place, field, json_of(*of), json_of(*Value(std::in_place)));
+            if (unseen) require_nothing(place, field, json_of(*of), json_of(*Value(std::in_place)));
             return;
           }
         }
         read_member(place, field.name, of);
-        if (!field.looked_at.empty()) require_nothing(place, field, json_of(of), json_of(Value()));
+        if (unseen) require_nothing(place, field, json_of(of), json_of(Value()));
       }
     });
     // Fields that others already say.
@@ -156,5 +157,23 @@ struct JsonForm<T> {
     });
   }
 };
+
+// Puts back, at any depth, what is null for having been looked at on nothing: as zeros, which add up.
+template <Fielded T>
+void put_unseen(Json& json, const T& value) {
+  for_each_written<T>([&](const auto& field) {
+    const auto& of = value_of(value, field);
+    using Value = std::remove_cvref_t<decltype(of)>;
+    if constexpr (is_optional<Value>) {
+      if (!of) return;
+      if (!field.looked_at.empty()) put_value(json, field.name, *of);
+      else if constexpr (Fielded<typename Value::value_type>) put_unseen(json[std::string(field.name)], *of);
+    } else if (!field.looked_at.empty()) {
+      put_value<Value>(json, field.name, of);
+    } else if constexpr (Fielded<Value>) {
+      put_unseen(field.is_inlined ? json : json[std::string(field.name)], of);
+    }
+  });
+}
 
 }  // namespace axiscert

@@ -174,6 +174,9 @@ struct VerdictTally {
   std::optional<EngineTally> engine = EngineTally();
   EnumArray<Link, Leaders<double>> deepest_by_link;  // the deepest with that link broken
 
+  std::uint64_t wrong(FlipKind kind) const {
+    return kind == FlipKind::false_separation ? false_separation : false_contact;
+  }
   double farthest() const { return std::max(farthest_false_separation.best(), farthest_false_contact.best()); }
   double deepest() const { return std::max(deepest_false_separation.best(), deepest_false_contact.best()); }
 

@@ -46,7 +46,7 @@ inline constexpr EnumArray<Goal, std::string_view> goal_names = {"error",       
                                                                  "critical_radius", "number"};
 constexpr bool is_about_a_comparison(Goal goal) { return goal < Goal::missed_contact; }
 constexpr bool is_about_a_verdict(Goal goal) { return goal >= Goal::missed_contact && goal < Goal::number; }
-// Of answers that have something beside the verdict, which may lack it.
+// Whether it is about what answers have beside the verdict, and may lack.
 constexpr bool is_about_a_part(Goal goal) {
   return goal == Goal::error || goal == Goal::relative_error || goal == Goal::number;
 }
@@ -79,7 +79,7 @@ class Guide {
   // verdicts do: they solve each query's length. `said`: the kernel's verdict on each query as it is left.
   virtual void evaluate(const Aim& aim, QueryBatch<Real>& batch, std::vector<double>& scores,
                         std::vector<Verdict>& said) = 0;
-  // Of an aim about a number or an error of sides: how many of the queries so far had them, and they were compared.
+  // The queries so far whose answers had what an aim is about (is_about_a_part), and it was compared.
   virtual std::uint64_t judged() const { return 0; }
   // Brings a query to where the aim is looked for.
   virtual void settle(Numbers<Real>& q) const = 0;

@@ -14,7 +14,7 @@ std::vector<Aim> number_aims(const Kernel& kernel);
 // Each evaluation asks the exact numbers.
 inline constexpr IslandShare number_share = {1, 1 << 10};
 
-// What the kernel's numbers on a query show of an aim.
+// The kernel's numbers on a query, as far as an aim is about them.
 struct NumberSeen {
   bool is_judged = false;                  // the query is promised, and the number is given and compared
   std::optional<MeasureError> error = {};  // empty where nothing is wrong with it

@@ -64,6 +64,8 @@ struct SearchResult {
   LookedAt begun;                     // the queries of the run from which the search began
   std::string state;                  // from which a later run continues
 
+  // The queries that could have shown aim i.
+  std::uint64_t seen(std::size_t i) const { return is_about_a_part(aims[i].goal) ? judged[i] : looked_at[i].decided; }
   LookedAt evaluated() const {  // for any aim
     LookedAt all;
     for (const LookedAt& of_aim : looked_at) merge_fields(all, of_aim);

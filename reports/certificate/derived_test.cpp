@@ -115,7 +115,8 @@ TEST(ReducedRecord, LeadsToTheSameLevelsAsTheRecord) {
   for (const auto& [ids, families] : {std::pair<std::vector<std::string>, std::vector<std::string>>{
                                           {"published", "certified"}, {"tangent", "lattice", "units", "orders"}},
                                       {{"certified", "published"}, {"general", "nonfinite"}},
-                                      {{"box-box/projected"}, {"box-box/general", "box-box/tangent"}}}) {
+                                      {{"box-box/projected"}, {"box-box/general", "box-box/tangent"}},
+                                      {{"moving-sphere/advance"}, {"moving-sphere/general"}}}) {
     const CertifiedRecord made = certified(ids, families);
     EXPECT_EQ(text_of_json(json_of(levels_of(made.record, ids.front(), {}))),
               text_of_json(json_of(made.predicate.levels)))

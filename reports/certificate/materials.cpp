@@ -68,22 +68,6 @@ TallyMaterial tally_of_stretch(const std::vector<const Kernel*>& kernels, const 
   return tally;
 }
 
-namespace {
-
-void judge_one_of_each(ContactTally& contacts) {
-  if (contacts.time) contacts.time->best = 1;
-  if (contacts.separation) contacts.separation->judged = 1;
-  if (contacts.feature) contacts.feature->judged = 1;
-  if (contacts.normal) contacts.normal->judged = contacts.normal->lengths = 1;
-  if (contacts.pushed) contacts.pushed->judged = 1;
-  for (auto* point : {&contacts.point, &contacts.point_a, &contacts.point_b}) {
-    if (*point) (*point)->judged = 1;
-  }
-  if (contacts.points) contacts.points->judged = 1;
-}
-
-}  // namespace
-
 Json no_counts(const KernelRecord& entry, const Predicate& predicate) {
   Kernel kernel;  // of which nothing is asked but what it promises and shows
   kernel.predicate = &predicate;
@@ -93,16 +77,7 @@ Json no_counts(const KernelRecord& entry, const Predicate& predicate) {
   Tally nothing = empty_tally(predicate);
   if (entry.limits && entry.limits->margin && nothing.contacts.separation)
     nothing.contacts.separation->less_margin.emplace();
-  // A figure of no answers is null, where counts that add up need a 0: while it is written, there is one of each.
-  judge_one_of_each(nothing.contacts);
   Json none = counts_json(kernel, nothing);
-  if (none.contains("contacts")) {
-    for (Json& part : none["contacts"]) {
-      for (const char* count : {"judged", "lengths", "best", "with_a_side"}) {
-        if (part.is_object() && part.contains(count)) part[count] = 0u;
-      }
-    }
-  }
   if (entry.reference.value_or(false)) none["verdict"]["clear"] = nullptr;
   none["critical_radius"]["largest_ulps"] = 0.0;
   if (none.contains("classes")) {
@@ -263,6 +238,7 @@ StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::
   none.verdict.engine.reset();
   if (whole.contains("contacts")) none.contacts.emplace();
   Json counts = json_of(none);
+  if (none.contacts) put_unseen(counts["contacts"], *none.contacts);
   counts.update(whole, true);
   const Json& verdict = counts["verdict"];
   if (verdict["deepest"] != std::max(verdict["deepest_false_separation"], verdict["deepest_false_contact"]))

@@ -179,11 +179,7 @@ std::vector<const PropertyStatement*> most_important_first(const DiagnosedStatem
   return properties;
 }
 
-}  // namespace
-
-namespace {
-
-// On how much nothing broke, and what a search found all the same: it asks other queries than the run.
+// Says on how much nothing broke, and what a search found all the same: it asks other queries than the run.
 std::string nothing_broke(const CertificatePredicate& predicate) {
   const AskedStatement& asked = predicate.asked;
   const LeftOutStatement& out = asked.left_out;

@@ -52,17 +52,26 @@ LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowe
   return found;
 }
 
+void check_conservative(const AskedLevel& asked) {
+  if (asked.has_argument) depth_argument(asked);
+}
+AllowedDepths conservative_depths(const AskedLevel& asked) {
+  if (!asked.has_argument) return {no_wrong, any_depth};
+  const DepthLimit limit = depth_argument(asked);
+  return {no_wrong, limit.most, limit.is_length};
+}
+
 // No contact is missed where there is none. The plain level looks at contacts alone, since no answer to another query
 // could break it.
-LevelFindings judge_conservative(const AskedLevel& asked, const Subject& subject, const AllowedDepths& allowed) {
+LevelFindings judge_conservative(const AskedLevel& asked, const Subject& subject) {
+  const AllowedDepths allowed = conservative_depths(asked);
   LevelFindings found = asked.has_argument ? judge_to_depth(subject, allowed) : judge_depths(subject, allowed);
   std::uint64_t contacts = 0, decided = 0;
   for (const auto& [family, result] : subject.families()) {
     const Evidence evidence = subject.evidence(result);
     const std::uint64_t here = evidence.decided_for(FlipKind::false_separation);
     decided += here;
-    contacts += subject.kernel().touching == TouchingPolicy::contact ? result.truth.contact
-                                                                     : result.truth.contact - result.truth.touching;
+    contacts += contacts_of(subject.kernel().touching, result.truth);
     if (asked.has_argument) continue;
     found.families[family] = {evidence.contacts, here};
     if (here == 0 && evidence.promised() != 0) found.unseen.push_back(family);
@@ -73,15 +82,6 @@ LevelFindings judge_conservative(const AskedLevel& asked, const Subject& subject
         fmt::format("{} contacts of {}, each judged exactly", thousands(decided), subject.list_of_families());
   }
   return found;
-}
-
-void check_conservative(const AskedLevel& asked) {
-  if (asked.has_argument) depth_argument(asked);
-}
-AllowedDepths conservative_depths(const AskedLevel& asked) {
-  if (!asked.has_argument) return {no_wrong, any_depth};
-  const DepthLimit limit = depth_argument(asked);
-  return {no_wrong, limit.most, limit.is_length};
 }
 
 AllowedDepths either_way(const AskedLevel& asked) {
@@ -119,8 +119,7 @@ extern const GateLevel conservative_level = {
     .meaning = "no missed contact, no phantom contact deeper than D",
     .check = check_conservative,
     .sentence = conservative_sentence,
-    .judge = [](const AskedLevel& asked,
-                const Subject& subject) { return judge_conservative(asked, subject, conservative_depths(asked)); },
+    .judge = judge_conservative,
     .allowed = conservative_depths,
     .part = [](const AskedLevel& asked) -> const char* { return asked.has_argument ? nullptr : "contacts"; },
     .in_certificates = no_or_visible_depth,

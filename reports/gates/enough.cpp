@@ -111,7 +111,7 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
   for (const auto& [family, look] : found.families) {
     const TruthCounts& truth = subject.families().at(family).truth;
     const TouchingPolicy touching = subject.kernel().touching;
-    contacts += truth.contact - (touching == TouchingPolicy::contact ? 0 : truth.touching);
+    contacts += contacts_of(touching, truth);
     separations += truth.separated + (touching == TouchingPolicy::separated ? truth.touching : 0);
   }
   const std::string missing = of_kind(all.contacts, all.declined_contacts, contacts, "contacts");

@@ -109,7 +109,7 @@ class MutationReport {
     table.rows.push_back(std::move(first));
   }
   bool is_judged(Precision precision) const { return result_.judged.contains(precision); }
-  // What the title begins with where no query of a precision was valid.
+  // The title begins so where no query of a precision was valid.
   std::string nothing_judged() const {
     std::vector<std::string_view> precisions;
     for (const Precision precision : plan_.precisions) {
@@ -243,8 +243,7 @@ class MutationReport {
                               equivalent ? std::optional<Name>(*equivalent) : std::nullopt});
     }
     for (const Control& c : controls_)
-      data.controls.push_back({c.id, c.precision, c.claims_bits ? "bits" : "formulae", c.queries,
-                               c.queries == 0 ? std::nullopt : std::optional(c.flagged)});
+      data.controls.push_back({c.id, c.precision, c.claims_bits ? "bits" : "formulae", c.queries, c.flagged});
     return json_of(data);
   }
 

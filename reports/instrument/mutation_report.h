@@ -96,14 +96,15 @@ struct ControlData {
   Name kernel;
   Precision precision = Precision::binary32;
   Name claims;
-  std::uint64_t queries = 0;
-  std::optional<std::uint64_t> flagged;
+  std::uint64_t queries = 0, flagged = 0;
 
   AXISCERT_FIELDS(ControlData, AXISCERT_FIELD(kernel, "The kernel."),
                   AXISCERT_FIELD(precision, "The precision of the queries."),
                   AXISCERT_FIELD(claims, "What it claims: its own bits, or the formulae alone."),
                   AXISCERT_FIELD(queries, "Valid queries asked."),
-                  AXISCERT_FIELD(flagged, "Wrong verdicts that `logic` does not allow; null: none was valid."))
+                  field(&Of::flagged, {.name = "flagged",
+                                       .about = "Wrong verdicts that `logic` does not allow.",
+                                       .looked_at = "queries"}))
 };
 
 struct MutationData : CommandData<MutationData> {

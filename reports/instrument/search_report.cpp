@@ -64,13 +64,13 @@ class SearchReport {
     const std::string what =
         fmt::format("{}, {} evaluations, seed {}{}", name(plan_.precision), thousands(result_.evaluations), plan_.seed,
                     result_.complete ? "" : ", interrupted");
-    if (saw_nothing(result_) && all_.decided == 0) {
-      return fmt::format("Nothing was looked at: {} decided none of {} queries ({}), {}", plan_.kernel->id,
-                         thousands(all_.asked()), not_decided_text(all_, may_decline()), what);
-    }
     if (saw_nothing(result_)) {
-      return fmt::format("Nothing was looked at: {} gives none of what was searched beside any of {} answers, {}",
-                         plan_.kernel->id, thousands(all_.decided), what);
+      const std::string why =
+          all_.decided == 0
+              ? fmt::format("decided none of {} queries ({})", thousands(all_.asked()),
+                            not_decided_text(all_, may_decline()))
+              : fmt::format("gives none of what was searched beside any of {} answers", thousands(all_.decided));
+      return fmt::format("Nothing was looked at: {} {}, {}", plan_.kernel->id, why, what);
     }
     const std::string others = not_decided_text(all_, may_decline());
     if (others.empty()) return fmt::format("The worst of {} found, {}", plan_.kernel->id, what);
@@ -85,12 +85,9 @@ class SearchReport {
   }
   // The words for an aim without a find.
   std::string nothing_found(const Aim& aim) const {
-    const std::size_t i = index_of(aim);
-    const std::uint64_t decided = result_.looked_at[i].decided, judged = result_.judged[i];
-    const bool is_of_a_part = is_about_a_part(aim.goal);
-    if ((is_of_a_part ? judged : decided) == 0) return "not looked at";
-    return is_of_a_part ? fmt::format("none among {} judged", thousands(judged))
-                        : fmt::format("none among {} decided", thousands(decided));
+    const std::uint64_t seen = result_.seen(index_of(aim));
+    if (seen == 0) return "not looked at";
+    return fmt::format("none among {} {}", thousands(seen), is_about_a_part(aim.goal) ? "judged" : "decided");
   }
 
   const Find* find(const Aim& aim) const {

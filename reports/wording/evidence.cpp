@@ -49,6 +49,10 @@ Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthC
 
 }  // namespace
 
+std::uint64_t contacts_of(TouchingPolicy touching, const TruthCounts& truth) {
+  return touching == TouchingPolicy::contact ? truth.contact : truth.contact - truth.touching;
+}
+
 Evidence evidence_of(TouchingPolicy touching, const Tally& tally) {
   return evidence_in(touching, tally.trials, tally.truth, tally.verdict);
 }
@@ -113,8 +117,7 @@ double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& fa
 }
 
 std::string with_rate(FlipKind kind, const KernelRecord& kernel, const FamilyRecord& family) {
-  const VerdictTally& verdict = family.verdict;
-  const std::uint64_t count = kind == FlipKind::false_separation ? verdict.false_separation : verdict.false_contact;
+  const std::uint64_t count = family.verdict.wrong(kind);
   if (count > 0) return fmt::format("{} ({} per million)", thousands(count), amount(per_million(count, family), 3));
   const double limit = zero_limit_per_million(kernel, family, kind);
   return limit < 0 ? "not checked" : fmt::format("0 (< {} per million, 95 %)", amount(limit, 3));

@@ -30,7 +30,7 @@ struct Evidence {
   std::uint64_t population = 0;  // valid ones of the plan
   std::uint64_t outside = 0;     // of these, beyond the kernel's limits or policies
   std::uint64_t touching = 0;    // of the rest, touching, where it makes no promise of touch
-  // Of the rest, which are promised, by the right verdict: a query that touches is a separation to a kernel that
+  // The rest is promised, and counted here by the right verdict: a query that touches is a separation to a kernel that
   // promises so.
   std::uint64_t contacts = 0, separations = 0;
   std::uint64_t declined_contacts = 0, declined_separations = 0;  // promised, and answered `undecided`
@@ -64,7 +64,8 @@ struct Evidence {
                   AXISCERT_FIELD(decided, "Promised, and called separated or contact."))
 };
 
-// `touching`: what the kernel promises of touch.
+// `touching`: what the kernel promises of touch. Contacts by that, whatever the kernel's limits.
+std::uint64_t contacts_of(TouchingPolicy touching, const TruthCounts& truth);
 Evidence evidence_of(TouchingPolicy touching, const Tally& tally);
 Evidence evidence_of(TouchingPolicy touching, const FamilyCounts& counts);
 Evidence evidence_of(const KernelRecord& kernel, const FamilyRecord& result);
@@ -95,8 +96,8 @@ double upper_bound_percent(std::uint64_t n);
 double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family);
 // The same of the decided queries that could be wrong in this way.
 double zero_limit_per_million(const KernelRecord& kernel, const FamilyRecord& family, FlipKind kind);
-// Of wrong verdicts: "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no decided query
-// could be wrong in this way.
+// Wrong verdicts with their rate: "0 (< 11.4 per million, 95 %)", "12 (45.8 per million)"; "not checked" where no
+// decided query could be wrong in this way.
 std::string with_rate(FlipKind kind, const KernelRecord& kernel, const FamilyRecord& family);
 
 }  // namespace axiscert

@@ -257,7 +257,7 @@ std::string rounding_text(const PrecisionPlan& plan) {
   return "";
 }
 
-// Of the formats that have any; 0: none has.
+// The fewest that a format has which has any; 0: none has.
 std::uint64_t fewest_queries(const PrecisionTally& all) {
   std::uint64_t fewest = 0;
   for (const PrecisionStep& step : all.kernels.front().steps) {
