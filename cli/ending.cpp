@@ -13,7 +13,7 @@
 
 #include "cli/commands.h"
 #include "fuzz/text/file_bytes.h"
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
 #include "reports/wording/reproduce.h"
 
 namespace axiscert {

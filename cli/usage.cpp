@@ -11,8 +11,7 @@
 
 #include "cli/commands.h"
 #include "fuzz/queries/family.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 

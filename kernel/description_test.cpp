@@ -6,11 +6,10 @@
 #include <deque>
 #include <string>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/names.h"
 #include "kernel/predicate.h"
+#include "kernel/sphere_triangle/names.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

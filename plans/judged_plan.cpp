@@ -16,8 +16,6 @@
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/registry/self_check.h"
 #include "reports/gates/ratchet.h"
 #include "reports/gates/requirement.h"

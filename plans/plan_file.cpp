@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "plans/predicate_options.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/corpus.h"
@@ -14,7 +13,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
-#include "kernel/base/text.h"
+#include "plans/predicate_options.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "plans/predicate_options.h"
-#include "plans/run_plan.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
+#include "plans/predicate_options.h"
+#include "plans/run_plan.h"
 
 namespace axiscert {
 namespace {

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <thread>
 
-#include "plans/predicate_options.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/files/corpus.h"
@@ -19,10 +18,10 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
-#include "kernel/base/names.h"
 #include "kernel/plugin/load.h"
-#include "reports/gates/requirement.h"
 #include "plans/notices.h"
+#include "plans/predicate_options.h"
+#include "reports/gates/requirement.h"
 
 namespace axiscert {
 namespace {

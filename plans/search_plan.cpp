@@ -4,17 +4,16 @@
 
 #include <algorithm>
 
-#include "plans/first_look.h"
-#include "plans/run_plan.h"
-#include "plans/predicate_options.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/queries/source.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/search/method.h"
 #include "fuzz/search/numbers.h"
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
+#include "plans/first_look.h"
+#include "plans/predicate_options.h"
+#include "plans/run_plan.h"
 
 namespace axiscert {
 namespace {

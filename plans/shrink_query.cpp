@@ -7,7 +7,7 @@
 
 #include "fuzz/confirm/record.h"
 #include "fuzz/shrink/pair.h"
-#include "kernel/base/names.h"
+#include "kernel/base/error.h"
 #include "plans/query_parts.h"
 
 namespace axiscert {

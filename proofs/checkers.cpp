@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 
 namespace axiscert::proofs {
 namespace {

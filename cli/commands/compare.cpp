@@ -5,17 +5,16 @@
 #include <filesystem>
 #include <optional>
 
-#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/progress_line.h"
 #include "cli/options/shared_options.h"
-#include "cli/usage.h"
+#include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "cli/usage.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
+#include "plans/first_look.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/comparison_report.h"
 #include "reports/run_folder/identity.h"

@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "cli/commands.h"
-#include "cli/help.h"
 #include "cli/glossary.h"
+#include "cli/help.h"
 #include "cli/usage.h"
 #include "cli/words.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "reports/formats/schemas.h"
 
 namespace axiscert {

@@ -4,26 +4,24 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "plans/first_look.h"
-#include "plans/address_query.h"
-#include "plans/predicate_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/help.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
-#include "cli/usage.h"
 #include "cli/running/run_output.h"
+#include "cli/usage.h"
 #include "exact/trait/oracles.h"
+#include "fuzz/confirm/record.h"
 #include "fuzz/text/file_bytes.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "fuzz/confirm/record.h"
+#include "plans/address_query.h"
+#include "plans/first_look.h"
+#include "plans/predicate_options.h"
 #include "reports/instrument/map.h"
-#include "reports/wording/reproduce.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/reproduce.h"
 
 namespace axiscert {
 namespace {

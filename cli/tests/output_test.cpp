@@ -11,7 +11,7 @@
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/text/json.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/text/json.h"
-#include "plans/search_plan.h"
 #include "cli/running/certify.h"
+#include "fuzz/text/json.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
+#include "plans/search_plan.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

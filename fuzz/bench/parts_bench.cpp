@@ -4,7 +4,7 @@
 #include "fuzz/campaign/parts/gathered.h"
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/campaign/parts/stretch_testing.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

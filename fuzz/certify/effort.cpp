@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "exact/trait/oracles.h"
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

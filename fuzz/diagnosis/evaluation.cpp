@@ -12,7 +12,7 @@
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/text/json.h"
-#include "kernel/permitted/recording.h"
+#include "kernel/permitted/graph.h"
 
 namespace axiscert::diagnosis {
 namespace {

@@ -24,7 +24,6 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/enums.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 
 namespace axiscert {
 

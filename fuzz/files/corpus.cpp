@@ -10,14 +10,13 @@
 
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/json_form.h"
+#include "fuzz/files/query_line.h"
 #include "fuzz/files/query_object.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
-#include "fuzz/files/query_line.h"
-#include "fuzz/queries/capabilities.h"
-#include "kernel/base/own_folder.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
+#include "kernel/base/folders.h"
 
 namespace axiscert {
 namespace {

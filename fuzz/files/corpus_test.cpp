@@ -10,13 +10,13 @@
 #include <fstream>
 
 #include "exact/moving_sphere/motion_distance.h"
-#include "exact/sphere_triangle/oracles/second_oracle.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/files/query_testing.h"
-#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/sphere_triangle/families/parts/images.h"
-#include "kernel/base/temporary_folder.h"
+#include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
+#include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

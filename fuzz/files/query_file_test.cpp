@@ -15,7 +15,7 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -9,8 +9,6 @@
 #include "fuzz/files/nested_members.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -13,7 +13,7 @@
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/boxes/box_triangle.h"
 #include "kernel/boxes/boxes.h"
 #include "kernel/sphere_triangle/query.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 
 namespace axiscert {
 

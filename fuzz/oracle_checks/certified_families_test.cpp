@@ -9,7 +9,7 @@
 #include "kernel/base/environment.h"
 #include "kernel/include/axiscert/certified.hpp"
 #include "kernel/registry/called.h"
-#include "kernel/sphere_triangle/certified/kernels.h"
+#include "kernel/sphere_triangle/certified_kernels.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
+#include "kernel/base/sha256.h"
 #include "kernel/base/version.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "fuzz/pipe/streams.h"
-#include "kernel/base/sha256.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
+#include "kernel/base/sha256.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

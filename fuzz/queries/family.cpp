@@ -8,7 +8,6 @@
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "kernel/predicate_list.h"
 
 namespace axiscert {

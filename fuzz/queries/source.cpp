@@ -10,7 +10,6 @@
 
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

@@ -10,7 +10,6 @@
 #include "exact/numbers/rational.h"
 #include "fuzz/queries/query_shape.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 
 namespace axiscert {
 namespace {

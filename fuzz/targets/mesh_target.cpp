@@ -9,14 +9,14 @@
 #include <cmath>
 #include <filesystem>
 
-#include "fuzz/queries/family.h"
 #include "fuzz/meshes/mesh.h"
-#include "fuzz/sphere_triangle/mesh_queries.h"
-#include "kernel/sphere_triangle/query.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/sphere_triangle/mesh_queries.h"
 #include "fuzz/targets/target.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace {
 

@@ -9,7 +9,6 @@
 #include <fstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "exact/numbers/rational.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 #include "kernel/names.h"
 
 namespace axiscert {

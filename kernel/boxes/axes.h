@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kernel/boxes/boxes.h"
-#include "kernel/boxes/names.h"
 
 namespace axiscert::boxes {
 

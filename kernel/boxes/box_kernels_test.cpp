@@ -8,7 +8,6 @@
 
 #include "kernel/ask.h"
 #include "kernel/boxes/boxes.h"
-#include "kernel/boxes/names.h"
 
 namespace axiscert {
 

@@ -1,5 +1,4 @@
 #include "kernel/boxes/boxes.h"
-#include "kernel/boxes/names.h"
 
 namespace axiscert {
 namespace {

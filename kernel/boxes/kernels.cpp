@@ -1,9 +1,12 @@
 #include "kernel/boxes/contact.h"
-#include "kernel/boxes/textbook.h"
 #include "kernel/boxes/projected.h"
+#include "kernel/boxes/relative.h"
 #include "kernel/boxes/simd.h"
 #include "kernel/boxes/slips.h"
+#include "kernel/boxes/textbook.h"
+#include "kernel/boxes/thirteen.h"
 #include "kernel/boxes/turned.h"
+#include "kernel/permitted/graph.h"
 
 namespace axiscert {
 
@@ -95,3 +98,21 @@ std::vector<Kernel> box_box_kernels() {
 }
 
 }  // namespace axiscert
+
+namespace axiscert::permitted {
+
+Recorder box_recorder(const Kernel& kernel) {
+  Recorder found;
+  put_recorder<boxes::MatrixBoxes, boxes::ProjectedFifteen>(kernel, found);
+  put_recorder<boxes::MatrixBoxes, boxes::Textbook>(kernel, found);
+  put_recorder<boxes::MatrixBoxes, boxes::Cofactor>(kernel, found);
+  put_recorder<boxes::CentreEntry, boxes::TextbookThirteen>(kernel, found);
+  put_recorder<boxes::CentreEntry, boxes::Thirteen>(kernel, found);
+  put_recorder<boxes::MinmaxEntry, boxes::TextbookThirteen>(kernel, found);
+  put_recorder<boxes::MinmaxEntry, boxes::Thirteen>(kernel, found);
+  put_recorder<boxes::OrientedEntry, boxes::FramedThirteen>(kernel, found);
+  put_recorder<boxes::OrientedEntry, boxes::Thirteen>(kernel, found);
+  return found;
+}
+
+}  // namespace axiscert::permitted

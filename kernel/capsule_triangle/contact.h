@@ -8,8 +8,8 @@
 #include <initializer_list>
 #include <limits>
 
-#include "kernel/boxes/names.h"
-#include "kernel/capsule_triangle/closest.h"
+#include "kernel/boxes/boxes.h"
+#include "kernel/capsule_triangle/capsule.h"
 #include "kernel/moving_sphere/segment.h"
 
 namespace axiscert::capsule {

@@ -1,7 +1,7 @@
 #include "kernel/capsule_triangle/capsule.h"
 #include "kernel/capsule_triangle/contact.h"
 #include "kernel/moving_sphere/twenty.h"
-#include "kernel/permitted/recording.h"
+#include "kernel/permitted/graph.h"
 
 namespace axiscert {
 namespace {

@@ -1,13 +1,15 @@
+#include "kernel/moving_sphere/kernels.h"
+
 #include "kernel/moving_sphere/advance.h"
 #include "kernel/moving_sphere/fauerby.h"
 #include "kernel/moving_sphere/gated.h"
 #include "kernel/moving_sphere/physx4.h"
 #include "kernel/moving_sphere/physx5.h"
 #include "kernel/moving_sphere/segment.h"
-#include "kernel/moving_sphere/kernels.h"
 #include "kernel/moving_sphere/timed.h"
 #include "kernel/moving_sphere/twenty.h"
 #include "kernel/moving_sphere/walk.h"
+#include "kernel/permitted/graph.h"
 
 namespace axiscert {
 namespace {
@@ -108,3 +110,16 @@ std::vector<Kernel> moving_sphere_kernels() {
 }
 
 }  // namespace axiscert
+
+namespace axiscert::permitted {
+
+Recorder moving_sphere_recorder(const Kernel& kernel) {
+  Recorder found;
+  put_recorder<MovingSphere, portable::Twenty>(kernel, found);
+  put_recorder<MovingSphere, portable::TwentyNonstrict>(kernel, found);
+  put_recorder<MovingEnds, portable::Twenty>(kernel, found);
+  put_recorder<MovingEnds, portable::TwentyNonstrict>(kernel, found);
+  return found;
+}
+
+}  // namespace axiscert::permitted

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/mutants/forms.h"
 #include "kernel/mutants/mutant.h"

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "kernel/permitted/graph.h"
 #include "kernel/permitted/reach.h"
-#include "kernel/permitted/recording.h"
 
 namespace axiscert::permitted {
 

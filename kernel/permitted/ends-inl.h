@@ -1,9 +1,9 @@
 // The ends of what an operation may give, in a vector's lanes, for the instruction set that foreach_target is
-// compiling: as kernel/permitted/rounding.h. Where results are faithful the processor rounds upward.
+// compiling: as kernel/permitted/permissions.h. Where results are faithful the processor rounds upward.
 #include <limits>
 
 #include "kernel/base/per_target.h"
-#include "kernel/permitted/rounding.h"
+#include "kernel/permitted/permissions.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::permitted {

@@ -8,9 +8,9 @@
 
 #include "kernel/base/error.h"
 #include "kernel/permitted/adversary.h"
+#include "kernel/permitted/graph.h"
 #include "kernel/permitted/lanes.h"
 #include "kernel/permitted/permissions.h"
-#include "kernel/permitted/recording.h"
 
 namespace axiscert::permitted {
 namespace {

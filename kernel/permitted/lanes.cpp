@@ -8,7 +8,7 @@
 #include "kernel/base/environment.h"
 #include "kernel/base/error.h"
 #include "kernel/permitted/reach.h"
-#include "kernel/permitted/rounding.h"
+#include "kernel/permitted/permissions.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/permitted/lanes.cpp"

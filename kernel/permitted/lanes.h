@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/permitted/recording.h"
+#include "kernel/permitted/graph.h"
 #include "kernel/query.h"
 
 namespace axiscert::permitted {

@@ -12,10 +12,10 @@
 
 #include "kernel/base/error.h"
 #include "kernel/permitted/adversary.h"
+#include "kernel/permitted/graph.h"
 #include "kernel/permitted/kernels.h"
 #include "kernel/permitted/lanes.h"
 #include "kernel/permitted/reach.h"
-#include "kernel/permitted/recording.h"
 #include "kernel/sphere_triangle/formulae/methods.h"
 #include "kernel/testing/queries.h"
 #include "kernel/testing/random.h"

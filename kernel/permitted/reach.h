@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernel/permitted/graph.h"
-#include "kernel/permitted/rounding.h"
+#include "kernel/permitted/permissions.h"
 
 namespace axiscert::permitted {
 

@@ -17,8 +17,7 @@
 #include <filesystem>
 
 #include "kernel/base/error.h"
-#include "kernel/base/own_folder.h"
-#include "kernel/base/text.h"
+#include "kernel/base/folders.h"
 #include "kernel/plugin/pipe_format.h"
 
 extern char** environ;

@@ -10,8 +10,6 @@
 #include <span>
 
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/plugin/pipe_format.h"
 
 namespace axiscert::plugin {

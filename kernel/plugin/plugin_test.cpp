@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
 #include "kernel/ask.h"
+#include "kernel/base/error.h"
+#include "kernel/base/folders.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/plugin_testing.h"

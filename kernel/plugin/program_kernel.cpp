@@ -10,7 +10,6 @@
 #include <mutex>
 #include <sstream>
 
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/plugin/declared.h"

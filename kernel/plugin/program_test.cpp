@@ -11,7 +11,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/plugin_testing.h"
 #include "kernel/plugin/supervisor.h"

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <map>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/host_process.h"
 #include "kernel/plugin/load.h"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 

@@ -1,7 +1,6 @@
 // The predicates that exist, of the one list.
 #include <algorithm>
 
-#include "kernel/base/names.h"
 #include "kernel/base/error.h"
 #include "kernel/predicate.h"
 #include "kernel/predicate_list.h"

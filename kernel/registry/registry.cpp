@@ -8,19 +8,17 @@
 #include <iterator>
 #include <mutex>
 
-#include "kernel/registry/called.h"
-#include "kernel/registry/given.h"
-#include "kernel/base/names.h"
-#include "kernel/base/text.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
 #include "kernel/moving_sphere/kernels.h"
+#include "kernel/mutants/mutant.h"
 #include "kernel/permitted/kernels.h"
 #include "kernel/plugin/load.h"
-#include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/mutants/mutant.h"
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
 #include "kernel/predicate_list.h"
+#include "kernel/registry/called.h"
+#include "kernel/registry/given.h"
+#include "kernel/sphere_triangle/forms/simd.h"
+#include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
 namespace axiscert {
 

@@ -4,7 +4,7 @@
 #include "exact/judge/judge.h"
 #include "fuzz/files/corpus.h"
 #include "kernel/base/error.h"
-#include "kernel/base/own_folder.h"
+#include "kernel/base/folders.h"
 #include "kernel/plugin/supervisor.h"
 #include "python/binding/common.h"
 #include "python/binding/work.h"

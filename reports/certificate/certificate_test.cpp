@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "reports/certificate/page.h"
 #include "reports/certificate/statement/canonical.h"
 #include "reports/testing/test_run.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"
 #include "reports/wording/everyday.h"

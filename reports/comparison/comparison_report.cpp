@@ -8,7 +8,7 @@
 #include <map>
 
 #include "fuzz/fields/json_form.h"
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"

@@ -10,7 +10,6 @@
 
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "reports/comparison/cells.h"
 #include "reports/run_folder/identity.h"
 #include "reports/wording/evidence.h"

@@ -14,7 +14,6 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/record/record.h"
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "kernel/sphere_triangle/names.h"
 #include "reports/certificate/statement/certificate_data.h"
 #include "reports/comparison/comparison_report.h"

@@ -17,7 +17,6 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 #include "reports/comparison/cells.h"
 
 namespace axiscert {

@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "kernel/base/error.h"
-#include "kernel/base/names.h"
 #include "reports/gates/enough.h"
 #include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"

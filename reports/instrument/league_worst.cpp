@@ -9,10 +9,10 @@
 
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/source.h"
-#include "kernel/base/text.h"
+#include "fuzz/text/length_unit.h"
+#include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/manifest.h"
-#include "fuzz/text/length_unit.h"
 #include "reports/wording/everyday.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"

@@ -13,7 +13,7 @@
 
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "reports/formats/format.h"
 
 namespace axiscert {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
+#include "kernel/base/error.h"
 #include "kernel/predicate.h"
-#include "kernel/base/text.h"
 #include "reports/wording/margin.h"
 #include "reports/wording/summary.h"
 

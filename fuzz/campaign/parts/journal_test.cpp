@@ -10,7 +10,7 @@
 
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 
 namespace axiscert {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "kernel/permitted/recording.h"
+#include "kernel/permitted/graph.h"
 
 namespace axiscert::permitted {
 

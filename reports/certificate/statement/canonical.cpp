@@ -9,7 +9,6 @@
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
-#include "kernel/base/text.h"
 
 namespace axiscert {
 namespace {

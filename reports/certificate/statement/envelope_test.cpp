@@ -3,7 +3,7 @@
 #include "reports/certificate/statement/envelope.h"
 #include "reports/page/encoding.h"
 
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 #include "reports/certificate/statement/canonical.h"
 #include "reports/testing/test_run.h"
 

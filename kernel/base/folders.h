@@ -1,4 +1,5 @@
-// A folder for scratch files, which no other process has.
+// Folders: where this program is, beside which it finds what comes with it; and one for scratch files, which no other
+// process has.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +7,11 @@
 #include <string_view>
 
 namespace axiscert {
+
+// The folder of the command; of a library that another program has loaded, the one that set_own_folder() was given.
+std::filesystem::path own_folder();
+// Before anything is looked for.
+void set_own_folder(const std::filesystem::path& folder);
 
 // Made under the system's folder for temporary files, and removed with all that is in it. Tests run side by side, also
 // as processes of several builds, so a file with a fixed name there is another's as well.

@@ -1,5 +1,5 @@
 // Text of foreign origin as it is shown.
-#include "kernel/base/text.h"
+#include "kernel/base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "kernel/permitted/rounding.h"
+#include "kernel/permitted/permissions.h"
 
 #include <algorithm>
 #include <cmath>

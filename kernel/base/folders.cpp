@@ -1,4 +1,4 @@
-#include "kernel/base/temporary_folder.h"
+#include "kernel/base/folders.h"
 
 #include <stdlib.h>
 
@@ -9,6 +9,22 @@
 #include "kernel/base/error.h"
 
 namespace axiscert {
+namespace {
+
+std::filesystem::path& given_folder() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
+}  // namespace
+
+std::filesystem::path own_folder() {
+  if (!given_folder().empty()) return given_folder();
+  std::error_code none;
+  return std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+}
+
+void set_own_folder(const std::filesystem::path& folder) { given_folder() = folder; }
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "axiscert-XXXXXX").string();
