@@ -98,6 +98,14 @@ Numbers<Real> filled_numbers(std::size_t count, Fill&& fill) {
   return v;
 }
 
+// A float widens exactly.
+template <class Real>
+Numbers<double> in_doubles(const Numbers<Real>& query) {
+  Numbers<double> wide(query.size());
+  std::copy(query.begin(), query.end(), wide.begin());
+  return wide;
+}
+
 // Owns the columns of a batch of fixed capacity.
 template <class Real>
 class QueryBatch {

@@ -5,24 +5,24 @@
 #include <limits>
 #include <map>
 
-#include "exact/numbers/in_doubles.h"
-#include "fuzz/fields/json_form.h"
-#include "plans/first_look.h"
-#include "cli/running/check_output.h"
-#include "cli/running/query_rows.h"
-#include "cli/progress_line.h"
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "plans/address_query.h"
-#include "plans/predicate_options.h"
-#include "plans/query_parts.h"
 #include "cli/options/shared_options.h"
-#include "fuzz/queries/capabilities.h"
-#include "fuzz/queries/source.h"
+#include "cli/progress_line.h"
+#include "cli/running/check_output.h"
+#include "cli/running/query_rows.h"
+#include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/confirm/record.h"
+#include "fuzz/queries/capabilities.h"
+#include "fuzz/queries/source.h"
 #include "kernel/permitted/kernels.h"
+#include "kernel/query.h"
+#include "plans/address_query.h"
+#include "plans/first_look.h"
+#include "plans/predicate_options.h"
+#include "plans/query_parts.h"
 
 namespace axiscert {
 namespace {

@@ -38,7 +38,7 @@ def names():
     return {
         "family": families | {name.replace("_", "-") for name in families},
         "level": found("reports/gates/*_level.cpp", r'(?:\.usage = |_level = \{\s*)"([\w-]+)'),
-        "comparison": found("kernel/*/names.h", r'(?<!include )"(\w[\w.]*)"') | found("kernel/boxes/boxes.h", r'"([ab]\d\w*)"'),
+        "comparison": found("kernel/*/names.h", r'(?<!include )"(\w[\w.]*)"'),
         "predicate": found("kernel/*/*.cpp", r'\.id = "([\w-]+)"'),
     }
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "exact/numbers/root_number.h"
-#include "exact/numbers/root_sum.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert::boxes {
 namespace {

@@ -11,7 +11,7 @@
 #include "exact/boxes/contact.h"
 #include "exact/judge/contact_judgement.h"
 #include "exact/judge/contact_numbers.h"
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 
 namespace axiscert::boxes {
 

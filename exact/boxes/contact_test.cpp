@@ -2,7 +2,7 @@
 #include "exact/boxes/contact.h"
 
 #include "exact/boxes/boxes_testing.h"
-#include "exact/numbers/root_sum.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert::boxes {
 namespace {

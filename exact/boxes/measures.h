@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/judge/depth.h"
 #include "exact/boxes/nearest.h"
 #include "exact/boxes/scaled.h"
+#include "exact/judge/depth.h"
+#include "exact/trait/exact_facts.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert::boxes {
+
 using ExactBox = OrientedBox<Rational>;
 using ExactPair = BoxPair<Rational>;
 
@@ -90,5 +92,11 @@ Rational squared_scene(const ExactPair& q);
 
 // Penetration or distance relative to the scene; 0 for two points in the same place.
 ExactDepth exact_depth(const ExactPair& q);
+
+// What exact arithmetic tells besides the verdict.
+
+// The query is valid. The normal is the direction in which B leaves A, or the triangle the box.
+std::vector<ExactFact> exact_facts(const ExactPair& q);
+std::vector<ExactFact> exact_facts(const ExactBoxAndTriangle& q);
 
 }  // namespace axiscert::boxes

@@ -4,8 +4,7 @@
 #include <limits>
 
 #include "exact/moving_sphere/first_contact.h"
-#include "exact/numbers/root_number.h"
-#include "exact/numbers/root_sum.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert::capsule {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 
 #include "exact/trait/oracles.h"
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 #include "kernel/capsule_triangle/capsule.h"
 #include "kernel/capsule_triangle/contact.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/numbers/root_number.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert {
 namespace {

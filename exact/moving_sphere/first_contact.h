@@ -1,11 +1,14 @@
-// The first time at which a moving sphere touches a triangle, exactly, and what it touches then.
+// The first time at which a moving sphere touches a triangle, exactly, and what it touches then; and what else exact
+// arithmetic tells of a motion besides its verdict.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "exact/judge/contact_judgement.h"
 #include "exact/moving_sphere/motion_distance.h"
-#include "exact/numbers/root_number.h"
+#include "exact/numbers/roots.h"
+#include "exact/trait/exact_facts.h"
 
 namespace axiscert::moving_sphere {
 
@@ -80,5 +83,20 @@ Tunnel tunnel_of(const Rational& r, const Rational& least_squared);
 // The square of the scene's extent: the greatest of r and the distances of the prism's corners, A to C' = C - D, from
 // P.
 Rational squared_scene(const GivenMotion& q);
+
+}  // namespace axiscert::moving_sphere
+
+namespace axiscert::moving_sphere {
+
+// The place of the first contact, each coordinate exactly: of the triangle's point that is nearest to the centre then,
+// and of the unit vector from there to the centre, empty where they are one point.
+struct ExactPlace {
+  std::array<RootNumber, 3> point;
+  std::vector<RootNumber> normal;
+};
+ExactPlace exact_place(const GivenMotion& q, const MotionPieces& motion, const FirstContact& contact);
+
+// The query is valid.
+std::vector<ExactFact> exact_facts(const GivenMotion& q);
 
 }  // namespace axiscert::moving_sphere

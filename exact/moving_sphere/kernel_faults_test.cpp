@@ -2,7 +2,6 @@
 // anything is rounded. The table of docs/moving.md.
 #include <gtest/gtest.h>
 
-#include "exact/moving_sphere/motion_tables_testing.h"
 #include "exact/moving_sphere/moving_sphere_testing.h"
 
 namespace axiscert::moving_sphere {

@@ -70,13 +70,6 @@ Rational quotient(const Integer& numerator, const Integer& denominator) {
   return q;
 }
 
-Rational scaled(const Rational& q, int exponent) {
-  Rational result;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
 MotionPieces::MotionPieces(const GivenMotion& q) : exponent(common_exponent(q)) {
   const Vector p = integers(q.p, exponent);
   vertex = {integers(q.a, exponent) - p, integers(q.b, exponent) - p, integers(q.c, exponent) - p};
@@ -156,7 +149,7 @@ LeastDistance least_distance(const GivenMotion& q) {
     Rational squared = least_of(piece);
     if (!least || squared < *least) least = std::move(squared);
   }
-  return {scaled(*least, 2 * motion.exponent), crosses_the_face(motion)};
+  return {times_power(*least, 2 * motion.exponent), crosses_the_face(motion)};
 }
 
 }  // namespace axiscert::moving_sphere

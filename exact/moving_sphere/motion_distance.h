@@ -82,8 +82,6 @@ struct MotionPieces {
 };
 
 Rational quotient(const mpz_class& numerator, const mpz_class& denominator);
-// q 2^exponent.
-Rational scaled(const Rational& q, int exponent);
 
 // The least distance of a moving centre from a triangle, in integers and rationals, without a root. It shares nothing
 // with the twenty axes or with CGAL.

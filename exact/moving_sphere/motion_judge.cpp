@@ -20,7 +20,7 @@ Rational squared_at(const Piece& piece, const Rational& t) {
 }
 
 RationalVector in_units_of(const RationalVector& v, int exponent) {
-  return {scaled(v.x, exponent), scaled(v.y, exponent), scaled(v.z, exponent)};
+  return {times_power(v.x, exponent), times_power(v.y, exponent), times_power(v.z, exponent)};
 }
 
 template <class Real>
@@ -45,13 +45,13 @@ Rational FirstContactJudge<Real>::least_squared(const Rational& until) const {
     Rational squared = squared_at(piece, at);
     if (!least || squared < *least) least = std::move(squared);
   }
-  return scaled(*least, 2 * motion_.exponent);
+  return times_power(*least, 2 * motion_.exponent);
 }
 
 template <class Real>
 Rational FirstContactJudge<Real>::squared_distance(const Rational& at) const {
   for (const Piece& piece : motion_.pieces) {
-    if (piece.first <= at && at <= piece.last) return scaled(squared_at(piece, at), 2 * motion_.exponent);
+    if (piece.first <= at && at <= piece.last) return times_power(squared_at(piece, at), 2 * motion_.exponent);
   }
   return {};  // not reached: the pieces cover [0, 1]
 }
@@ -71,10 +71,10 @@ void FirstContactJudge<Real>::measure_time(double time, ContactJudgement& out) c
   const Rational t = exact(time), error = apart(contact_.time, t);
   const auto best = static_cast<double>(rounded_down<Real>(contact_.time));
   out.ulps = round_up(Rational(error / (next_above<Real>(best) - exact(best))));
-  out.in_u = round_up(scaled(error, std::numeric_limits<Real>::digits));
+  out.in_u = round_up(times_power(error, std::numeric_limits<Real>::digits));
   out.share = rounded_apart(contact_.time, t, error, 1);
   out.length =
-      rounded_apart(contact_.time, t, error, scaled(Rational(dot(motion_.d, motion_.d)), 2 * motion_.exponent));
+      rounded_apart(contact_.time, t, error, times_power(Rational(dot(motion_.d, motion_.d)), 2 * motion_.exponent));
   if (out.time == TimeVerdict::late) out.tunnel = tunnel_of(r_, least_squared(t));
   else if (sgn(scene_) != 0) out.gap = rounded_depth({squared_distance(t), r_, scene_});
 }
@@ -125,7 +125,7 @@ void FirstContactJudge<Real>::measure_feature(double number, ContactJudgement& o
     const Rational beyond = squared_beyond(
         *named, {rationals(motion_.vertex[0]), rationals(motion_.vertex[1]), rationals(motion_.vertex[2])},
         here.point + here.to_centre);
-    out.feature_error = nearest_sqrt<double>(Rational(scaled(beyond, 2 * motion_.exponent) / scene_));
+    out.feature_error = nearest_sqrt<double>(Rational(times_power(beyond, 2 * motion_.exponent) / scene_));
   }
 }
 

@@ -241,7 +241,7 @@ TEST(Sizes, ATunnelIsRoundedDownToSixDigits) {
   EXPECT_EQ(tunnel_of(1, quarter).depth.value(), 0.5);
   EXPECT_EQ(tunnel_of(1, quarter + exact(0x1p-200)).depth.value(), 0.499999);
   EXPECT_EQ(tunnel_of(1, quarter - exact(0x1p-200)).depth.value(), 0.5);
-  EXPECT_EQ(tunnel_of(1, scaled(Rational(1), -2000)).depth.value(), 0.999999);
+  EXPECT_EQ(tunnel_of(1, times_power(Rational(1), -2000)).depth.value(), 0.999999);
   EXPECT_TRUE(tunnel_of(1, 1).depth.is_zero());
 }
 

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "exact/moving_sphere/motion_tables_testing.h"
+#include "exact/moving_sphere/moving_sphere_testing.h"
 
 namespace axiscert::moving_sphere {
 namespace {

@@ -64,4 +64,12 @@ struct Fraction {
 Decimal6 round_up(const Fraction& q);
 inline Decimal6 round_up(const Rational& q) { return round_up(Fraction{q.get_num(), q.get_den()}); }
 
+// x 2^exponent.
+inline Rational times_power(const Rational& x, int exponent) {
+  Rational result;
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
 }  // namespace axiscert

@@ -1,13 +1,13 @@
 // sphere-triangle by the interface of all predicates.
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
+#include "kernel/query.h"
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/cascade.h"
 #include "exact/sphere_triangle/measures/contact_judge.h"
+#include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/trait/clear.h"

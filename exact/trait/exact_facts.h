@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/judge/depth.h"
-#include "exact/numbers/root_number.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert {
 

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "exact/numbers/floating.h"
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/clear.h"
 #include "exact/trait/oracles.h"
 #include "exact/trait/trait.h"
 #include "kernel/base/error.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/boxes/box_facts.h"
+#include "exact/boxes/measures.h"
 #include "fuzz/boxes/families/situations.h"
 #include "fuzz/boxes/quantities.h"
 #include "fuzz/boxes/slack_scenes.h"

@@ -8,7 +8,6 @@
 #include <map>
 #include <vector>
 
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/merge.h"
@@ -17,6 +16,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/confirm/image_numbers.h"
 #include "kernel/ask.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/numbers/in_doubles.h"
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/image_groups.h"
+#include "kernel/query.h"
 
 namespace axiscert::diagnosis {
 namespace {

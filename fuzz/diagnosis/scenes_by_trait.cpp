@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "exact/numbers/in_doubles.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/image_groups.h"
+#include "kernel/query.h"
 
 namespace axiscert::diagnosis {
 namespace {

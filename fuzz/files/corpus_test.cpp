@@ -1,6 +1,6 @@
 // Every entry of the corpus as a test of its own, and the messages about a corpus that is not valid.
-#include "exact/numbers/in_doubles.h"
 #include "fuzz/files/corpus.h"
+#include "kernel/query.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/critical_radius.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/fields/merge.h"
-#include "fuzz/queries/source.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/for_each_judged.h"
+#include "fuzz/queries/source.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 namespace {

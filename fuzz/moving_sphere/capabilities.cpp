@@ -1,6 +1,6 @@
 #include "fuzz/queries/capabilities.h"
 
-#include "exact/moving_sphere/motion_facts.h"
+#include "exact/moving_sphere/first_contact.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/numbers/in_doubles.h"
 #include "kernel/predicate.h"
 #include "kernel/query.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 
 namespace axiscert::boxes {
 

@@ -8,6 +8,7 @@
 
 #include "kernel/ask.h"
 #include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 
 namespace axiscert {
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "kernel/ask.h"
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/testing/random.h"
 

@@ -1,4 +1,5 @@
 #include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 
 namespace axiscert {
 namespace {

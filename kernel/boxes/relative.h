@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "kernel/base/geometry.h"
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 #include "kernel/formulae_list.h"
 
 AXISCERT_BEFORE_NAMESPACE();

@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <limits>
 
-#include "kernel/boxes/boxes.h"
+#include "kernel/boxes/names.h"
 #include "kernel/capsule_triangle/capsule.h"
 #include "kernel/moving_sphere/segment.h"
 

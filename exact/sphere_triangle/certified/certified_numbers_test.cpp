@@ -7,15 +7,14 @@
 #include <limits>
 #include <random>
 
-#include "exact/numbers/test_rational.h"
-#include "kernel/sphere_triangle/certified/numbers/ball.h"
+#include "exact/numbers/rational.h"
 #include "kernel/sphere_triangle/certified/numbers/balanced_digits.h"
+#include "kernel/sphere_triangle/certified/numbers/ball.h"
 #include "kernel/sphere_triangle/certified/numbers/integer.h"
 
 namespace axiscert::certified {
 namespace {
 
-using testing_support::times_power;
 
 constexpr std::uint64_t seed = 1074;
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "exact/trait/side_error.h"
-#include "exact/numbers/test_rational.h"
+#include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/filters/vertex_sides.h"
+#include "exact/trait/side_error.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/testing/random.h"
@@ -17,7 +17,7 @@
 namespace axiscert {
 namespace {
 
-using testing_support::random_query, testing_support::times_power;
+using testing_support::random_query;
 
 // A power of two of any exponent that binary64 has, times a number of few bits or of all.
 double operand(std::mt19937_64& random) {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/numbers/root_number.h"
-#include "exact/numbers/two_roots.h"
+#include "exact/numbers/roots.h"
 
 namespace axiscert {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "exact/boxes/measures.h"
-#include "exact/numbers/in_doubles.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/boxes/families/everyday.h"
 #include "kernel/ask.h"
 #include "kernel/boxes/thirteen.h"
 #include "kernel/kernel.h"
+#include "kernel/query.h"
 
 namespace axiscert::boxes {
 namespace {

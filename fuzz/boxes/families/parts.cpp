@@ -1,6 +1,6 @@
 #include "fuzz/boxes/families/parts.h"
 
-#include "exact/numbers/in_doubles.h"
+#include "kernel/query.h"
 
 namespace axiscert::boxes {
 

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "exact/boxes/contact.h"
-#include "exact/boxes/triangle_trait.h"
 #include "exact/boxes/trait.h"
-#include "exact/numbers/root_number.h"
+#include "exact/boxes/triangle_trait.h"
+#include "exact/numbers/roots.h"
 #include "exact/trait/oracles.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"

@@ -1,5 +1,5 @@
 // Numbers with one root: their order, and their decimals.
-#include "exact/numbers/root_number.h"
+#include "exact/numbers/roots.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

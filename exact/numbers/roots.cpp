@@ -1,4 +1,4 @@
-#include "exact/numbers/root_number.h"
+#include "exact/numbers/roots.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -90,6 +90,56 @@ std::string exact_text(const RootNumber& x) {
   const std::string root = "sqrt(" + x.square.get_str() + ")";
   if (sgn(x.rest) == 0) return (x.sign < 0 ? "-" : "") + root;
   return x.rest.get_str() + (x.sign < 0 ? " - " : " + ") + root;
+}
+
+TwoRoots TwoRootField::product(const TwoRoots& x, const TwoRoots& y) const {
+  return {x.a * y.a + x.b * y.b * p_ + x.c * y.c * q_ + x.d * y.d * p_ * q_,
+          x.a * y.b + x.b * y.a + (x.c * y.d + x.d * y.c) * q_, x.a * y.c + x.c * y.a + (x.b * y.d + x.d * y.b) * p_,
+          x.a * y.d + x.d * y.a + x.b * y.c + x.c * y.b};
+}
+
+int TwoRootField::sign(const Rational& a, const Rational& b) const {
+  const int first = sgn(a), second = sgn(p_) == 0 ? 0 : sgn(b);
+  if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
+  return first * cmp(Rational(a * a), Rational(b * b * p_));
+}
+
+// x = u + v sqrt(q), u and v with sqrt(p) alone: where their signs differ, u^2 against v^2 q decides.
+int TwoRootField::sign(const TwoRoots& x) const {
+  const int first = sign(x.a, x.b), second = sgn(q_) == 0 ? 0 : sign(x.c, x.d);
+  if (first == 0 || second == 0 || first == second) return first != 0 ? first : second;
+  const Rational rational = x.a * x.a + x.b * x.b * p_ - (x.c * x.c + x.d * x.d * p_) * q_,
+                 with_root = 2 * (x.a * x.b - x.c * x.d * q_);
+  return first * sign(rational, with_root);
+}
+
+namespace {
+
+int sign_of(const RootTerm& x) { return sgn(x.factor) * sgn(x.square); }
+Rational square_of(const RootTerm& x) { return x.factor * x.factor * x.square; }
+
+}  // namespace
+
+int sign_of_sum(const RootTerm& x, const RootTerm& y) {
+  const int of_x = sign_of(x), of_y = sign_of(y);
+  if (of_x == 0 || of_y == 0 || of_x == of_y) return of_x != 0 ? of_x : of_y;
+  return of_x * sgn(Rational(square_of(x) - square_of(y)));
+}
+
+int sign_of_sum(const RootTerm& x, const RootTerm& y, const RootTerm& z) {
+  const int of_both = sign_of_sum(x, y), of_z = sign_of(z);
+  if (of_both == 0 || of_z == 0 || of_both == of_z) return of_both != 0 ? of_both : of_z;
+  // (x + y)^2 - z^2, in which one root is left.
+  const RootTerm rational{square_of(x) + square_of(y) - square_of(z)};
+  return of_both * sign_of_sum(rational, {2 * x.factor * y.factor, Rational(x.square * y.square)});
+}
+
+Decimal6 round_up(const Rational& guess, const std::function<int(const Rational& y)>& order) {
+  Decimal6 found = round_up(guess);
+  if (found.is_zero()) return found;
+  while (order(exact(found)) > 0) found = next(found);
+  for (Decimal6 less = previous(found); order(exact(less)) <= 0; less = previous(found)) found = less;
+  return found;
 }
 
 }  // namespace axiscert
