@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "plans/predicate_options.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_parts.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/sweep.h"
 #include "kernel/base/error.h"
+#include "plans/predicate_options.h"
 
 namespace axiscert {
 namespace {

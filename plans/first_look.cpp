@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fuzz/confirm/record.h"
-#include "fuzz/diagnosis/first_look.h"
+#include "fuzz/diagnosis/diagnosis.h"
 #include "kernel/plugin/load.h"
 #include "plans/notices.h"
 

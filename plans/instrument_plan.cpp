@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "plans/first_look.h"
-#include "plans/run_plan.h"
-#include "plans/predicate_options.h"
-#include "fuzz/files/file_parts.h"
+#include "fuzz/confirm/record.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/files/query_file.h"
+#include "fuzz/queries/family.h"
 #include "fuzz/queries/query_shape.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
-#include "kernel/formulae_list.h"
-#include "reports/wording/reproduce.h"
-#include "fuzz/queries/family.h"
 #include "kernel/base/error.h"
-#include "fuzz/confirm/record.h"
+#include "kernel/formulae_list.h"
+#include "plans/first_look.h"
+#include "plans/predicate_options.h"
+#include "plans/run_plan.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/reproduce.h"
 
 namespace axiscert {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "plans/predicate_options.h"
-#include "fuzz/files/file_parts.h"
+#include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
 #include "plans/notices.h"
+#include "plans/predicate_options.h"
 
 namespace axiscert {
 std::string QueryPart::folder() const {

@@ -11,7 +11,7 @@
 #include "exact/trait/oracles.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_parts.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"

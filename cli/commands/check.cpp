@@ -13,7 +13,6 @@
 #include "cli/running/query_rows.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"
-#include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"

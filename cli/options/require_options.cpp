@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/usage.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "reports/gates/requirement.h"
 
 namespace axiscert {

@@ -4,11 +4,8 @@
 #include <limits>
 
 #include "exact/boxes/measures.h"
+#include "fuzz/boxes/capability_parts.h"
 #include "fuzz/boxes/families/situations.h"
-#include "fuzz/boxes/quantities.h"
-#include "fuzz/boxes/slack_scenes.h"
-#include "fuzz/boxes/traits.h"
-#include "fuzz/diagnosis/contact_likenesses.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/meshes/mesh.h"
 #include "fuzz/queries/capabilities.h"

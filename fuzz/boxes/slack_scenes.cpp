@@ -1,4 +1,4 @@
-#include "fuzz/boxes/slack_scenes.h"
+#include "fuzz/boxes/capability_parts.h"
 
 #include <array>
 #include <cmath>

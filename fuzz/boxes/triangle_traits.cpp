@@ -1,4 +1,4 @@
-#include "fuzz/boxes/traits.h"
+#include "fuzz/boxes/capability_parts.h"
 
 #include <algorithm>
 #include <array>

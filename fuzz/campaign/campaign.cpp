@@ -9,7 +9,6 @@
 #include <mutex>
 #include <numeric>
 
-#include "fuzz/campaign/clear_look.h"
 #include "fuzz/campaign/machine.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/fields/merge.h"

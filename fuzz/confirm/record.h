@@ -18,7 +18,7 @@ namespace axiscert {
 // The requirements of a run, as they were given: levels, and those of them that may be left unchecked.
 struct RunRequirements {
   std::vector<std::string> levels = {}, allow_unchecked = {};
-  std::string unit = {};  // of length, of the queries' numbers (fuzz/text/length_unit.h); empty: it is not said
+  std::string unit = {};  // of length, of the queries' numbers (fuzz/text/number_text.h); empty: it is not said
 };
 
 // Only the cells' units and queries of the result are used.

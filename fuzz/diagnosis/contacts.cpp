@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 
-#include "fuzz/diagnosis/contact_likenesses.h"
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/capabilities.h"

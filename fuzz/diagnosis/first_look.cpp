@@ -1,4 +1,4 @@
-#include "fuzz/diagnosis/first_look.h"
+#include "fuzz/diagnosis/diagnosis.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {

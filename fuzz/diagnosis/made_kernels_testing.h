@@ -7,12 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "kernel/base/environment.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/reference/contracted.h"
 #include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
-#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::made {
 

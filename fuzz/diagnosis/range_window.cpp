@@ -1,5 +1,5 @@
 // The powers of two times which a kernel answers as at scale 1.
-#include "fuzz/diagnosis/range_window.h"
+#include "fuzz/diagnosis/diagnosis.h"
 
 #include <algorithm>
 #include <cmath>

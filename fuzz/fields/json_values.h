@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/fields/sparse.h"
 #include "fuzz/fields/values.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"

@@ -13,11 +13,11 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
-#include "fuzz/files/query_testing.h"
 #include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/testing/queries.h"
 
 namespace axiscert {
 

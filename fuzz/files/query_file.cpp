@@ -6,10 +6,9 @@
 #include <set>
 #include <sstream>
 
+#include "fuzz/files/query_line.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
-#include "fuzz/files/file_parts.h"
-#include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <span>
@@ -24,8 +25,9 @@
 #include <variant>
 #include <vector>
 
-#include "kernel/query.h"
+#include "fuzz/queries/source.h"
 #include "kernel/predicate.h"
+#include "kernel/query.h"
 
 namespace axiscert {
 
@@ -60,5 +62,26 @@ std::vector<StoredQuery> read_query_file(const std::string& path, Precision csv_
 // One line of JSON without its end, with all numbers hexadecimal: reading it gives the same bits, except for a NaN's
 // payload.
 std::string query_line(const StoredQuery& stored);
+
+// The parts of a query file: its queries of one predicate and entry each.
+
+// A source for each predicate and entry of which a file has queries, in the order in which they first occur; `path` and
+// the others as of query_file_source() (fuzz/queries/source.h), which refuses a file with several.
+std::vector<SourcePtr> query_file_sources(const std::string& path, Precision csv_precision,
+                                          std::span<const Predicate* const> known = predicates());
+// How many queries there are of a predicate and entry.
+struct PartCount {
+  const Predicate* predicate;
+  std::size_t entry;
+  std::uint64_t queries;
+};
+std::vector<PartCount> counts_of(const std::vector<SourcePtr>& parts);
+std::vector<PartCount> counts_of(const std::vector<StoredQuery>& queries);
+// "5 queries of sphere-triangle, 3 of box-box, entry quaternion".
+std::string parts_text(const std::vector<PartCount>& parts);
+// "box-box, entry quaternion".
+std::string part_text(const Predicate& predicate, std::size_t entry);
+// All of it, which is read once.
+const std::string& standard_input();
 
 }  // namespace axiscert

@@ -10,13 +10,13 @@
 #include <sstream>
 
 #include "fuzz/files/query_file.h"
-#include "fuzz/files/query_testing.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/base/error.h"
 #include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/testing/queries.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,6 @@
 // A query of the members of a line, and the line of a query.
+#include "fuzz/files/query_json.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +10,7 @@
 #include "fuzz/files/line_members.h"
 #include "fuzz/files/nested_members.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 
@@ -291,6 +294,13 @@ std::string query_line(const StoredQuery& stored) {
   return fmt::format(
       R"({{"id":{},"precision":"{}"{}{}}})", id, name(stored.precision), of,
       std::visit([&](const auto& numbers) { return json_numbers(stored.columns(), numbers); }, stored.numbers));
+}
+
+Json detail_json(const Detail& detail) {
+  if (const double* number = std::get_if<double>(&detail.value)) return format_number(*number);
+  if (const auto* word = std::get_if<std::string_view>(&detail.value)) return *word;
+  if (const auto* names = std::get_if<std::vector<std::string_view>>(&detail.value)) return *names;
+  return nullptr;
 }
 
 }  // namespace axiscert

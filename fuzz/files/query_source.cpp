@@ -7,11 +7,11 @@
 #include <map>
 
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_parts.h"
-#include "fuzz/text/file_bytes.h"
-#include "kernel/base/sha256.h"
+#include "fuzz/files/query_file.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sha256.h"
 
 namespace axiscert {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/query_testing.h"
 #include "fuzz/queries/random.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/testing/queries.h"
 
 namespace axiscert {
 namespace {

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/trait/examine.h"
 #include "exact/numbers/rational.h"
+#include "exact/trait/examine.h"
 #include "exact/trait/oracles.h"
-#include "fuzz/queries/family.h"
 #include "fuzz/instruments/instruments_testing.h"
-#include "fuzz/files/query_testing.h"
+#include "fuzz/queries/family.h"
 #include "kernel/ask.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/testing/queries.h"
 
 namespace axiscert {
 namespace {

@@ -2,11 +2,9 @@
 
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/diagnosis/scenes.h"
+#include "fuzz/moving_sphere/capability_parts.h"
 #include "fuzz/moving_sphere/families/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
-#include "fuzz/moving_sphere/quantities.h"
-#include "fuzz/moving_sphere/slack_scenes.h"
-#include "fuzz/moving_sphere/traits.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {

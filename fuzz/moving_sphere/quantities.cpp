@@ -1,5 +1,5 @@
 // The sizes in a motion with which a kernel may compare an absolute number.
-#include "fuzz/moving_sphere/quantities.h"
+#include "fuzz/moving_sphere/capability_parts.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "fuzz/moving_sphere/slack_scenes.h"
+#include "fuzz/moving_sphere/capability_parts.h"
 #include "fuzz/sphere_triangle/slack_scenes.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-#include "fuzz/moving_sphere/traits.h"
+#include "fuzz/moving_sphere/capability_parts.h"
 
 #include <algorithm>
 #include <array>

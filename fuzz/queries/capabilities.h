@@ -107,7 +107,7 @@ struct Capabilities {
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
   const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
   const Traits* traits = nullptr;                                    // above
-  // fuzz/diagnosis/contact_likenesses.h: other numbers that kernels give for those of a contact.
+  // fuzz/diagnosis/scenes.h: other numbers that kernels give for those of a contact.
   std::span<const ContactLikeness* const> contact_likenesses = {};
   // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
   std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;

@@ -8,15 +8,15 @@
 #include <limits>
 #include <set>
 
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/queries/steps.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family_testing.h"
-#include "kernel/testing/sources.h"
+#include "fuzz/queries/floats.h"
+#include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
 #include "kernel/sphere_triangle/query.h"
+#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/testing/sources.h"
 
 namespace axiscert {
 namespace {

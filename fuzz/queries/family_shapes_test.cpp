@@ -4,13 +4,13 @@
 #include <map>
 #include <set>
 
-#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
+#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/queries/family_testing.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/queries/steps.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
 #include "kernel/sphere_triangle/reference/scalar.h"

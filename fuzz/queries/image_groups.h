@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/queries/floats.h"
 #include "kernel/base/enums.h"
 #include "kernel/base/geometry.h"
-#include "kernel/base/powers_of_two.h"
 #include "kernel/names.h"
 #include "kernel/predicate.h"
 #include "kernel/sphere_triangle/query.h"

@@ -8,10 +8,9 @@
 
 #include "exact/judge/contact_judgement.h"
 #include "fuzz/fields/field.h"
-#include "fuzz/fields/sparse.h"
 #include "fuzz/fields/values.h"
-#include "fuzz/record/decades.h"
 #include "fuzz/record/leaders.h"
+#include "fuzz/record/wrong_verdicts.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

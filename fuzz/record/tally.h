@@ -8,17 +8,43 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/judge.h"
-#include "fuzz/record/clear_tally.h"
-#include "fuzz/record/wrong_verdicts.h"
+#include "exact/numbers/rational.h"
+#include "fuzz/fields/field.h"
+#include "fuzz/fields/values.h"
+#include "fuzz/record/contact_tally.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
-#include "fuzz/record/contact_tally.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/record/wrong_verdicts.h"
 #include "kernel/outcome.h"
 
 namespace axiscert {
+
+// Answers to clear queries: those that no right method of the precision gets wrong (exact/trait/clear.h).
+
+// Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
+struct ClearTally {
+  std::uint64_t queries = 0, undecided = 0, unanswered = 0;
+  std::uint64_t false_separation = 0, false_contact = 0;
+  Leaders<bool> first_missed, first_phantom;  // by the position alone
+
+  std::uint64_t wrong() const { return false_separation + false_contact; }
+  std::uint64_t decided() const { return queries - undecided - unanswered; }
+  bool operator==(const ClearTally& other) const {
+    return queries == other.queries && undecided == other.undecided && unanswered == other.unanswered &&
+           false_separation == other.false_separation && false_contact == other.false_contact;
+  }
+
+  static constexpr std::string_view about =
+      "Answers to clear queries within the kernel's limits: no right method of the precision gets one wrong, since its "
+      "margin is many times the bound of any rounding.";
+  AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
+                  AXISCERT_FIELD(undecided, "Those that the kernel declined."),
+                  AXISCERT_FIELD(unanswered, "Those that it called invalid, or that got no answer."),
+                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
+                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."), journalled(&Of::first_missed),
+                  journalled(&Of::first_phantom))
+};
 
 struct ExactSides;
 class SideError;

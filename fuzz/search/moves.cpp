@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "kernel/base/powers_of_two.h"
+#include "fuzz/queries/floats.h"
 
 namespace axiscert {
 namespace {

@@ -7,9 +7,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/shrink/query_properties.h"
-#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {

@@ -1,4 +1,4 @@
-#include "fuzz/sphere_triangle/confirm.h"
+#include "fuzz/sphere_triangle/capability_parts.h"
 
 #include <mpfr.h>
 

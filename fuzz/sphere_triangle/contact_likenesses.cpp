@@ -1,4 +1,4 @@
-#include "fuzz/sphere_triangle/contact_likenesses.h"
+#include "fuzz/sphere_triangle/capability_parts.h"
 
 #include <cmath>
 

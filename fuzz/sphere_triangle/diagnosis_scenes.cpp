@@ -1,13 +1,13 @@
 // Scenes of sphere-triangle in small integers, times a power of two: whatever the formulae, hardly an operation is
 // rounded.
-#include "fuzz/sphere_triangle/diagnosis_scenes.h"
+#include "fuzz/sphere_triangle/capability_parts.h"
 
 #include <cmath>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/diagnosis/scenes.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/queries/image_groups.h"
-#include "fuzz/queries/steps.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"

@@ -2,7 +2,7 @@
 // in binary64 with + - * / sqrt and powers of two, so that an address gives the same query everywhere; the query's own
 // precision enters only with the last rounding.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 

@@ -1,6 +1,6 @@
 // What a search for the worst queries of sphere-triangle values exactly besides wrong verdicts: the errors of the
 // sides, the scales at which a comparison leaves the range, and the error of the critical radius.
-#include "fuzz/sphere_triangle/search.h"
+#include "fuzz/sphere_triangle/capability_parts.h"
 
 #include <fmt/format.h>
 

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "fuzz/queries/floats.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "kernel/arithmetic/error_free.h"
 #include "kernel/ask.h"
-#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {

@@ -1,8 +1,10 @@
-// Shared parts of the kernel tests: a query in every vertex order, and a kernel's answer to one query.
+// Shared parts of tests: a query in every vertex order, a kernel's answer to one query, and whether two queries are the
+// same bits.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string_view>
 
 #include "kernel/ask.h"
@@ -39,3 +41,20 @@ Sides<Real> sides_in(const Kernel& kernel, const Query<Real>& q, std::string_vie
 }
 
 }  // namespace axiscert::testing_support
+
+namespace axiscert {
+
+// Expects the same thirteen numbers, with signed zeros distinguished; a NaN equals a NaN.
+template <class Real>
+void expect_same_bits(const Query<Real>& x, const Query<Real>& y) {
+  const auto u = coordinates(x), v = coordinates(y);
+  for (std::size_t k = 0; k < coordinate_count; ++k) {
+    if (std::isnan(u[k])) {
+      EXPECT_TRUE(std::isnan(v[k]));
+    } else {
+      EXPECT_TRUE(u[k] == v[k] && std::signbit(u[k]) == std::signbit(v[k])) << coordinate_names[k] << " " << u[k];
+    }
+  }
+}
+
+}  // namespace axiscert

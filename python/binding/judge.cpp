@@ -5,11 +5,15 @@
 #include <chrono>
 #include <mutex>
 
-#include "fuzz/diagnosis/first_look.h"
+#include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/given.h"
+#include "plans/first_look.h"
+#include "plans/judged_plan.h"
+#include "plans/notices.h"
+#include "plans/run_plan.h"
 #include "python/binding/callables.h"
 #include "python/binding/common.h"
 #include "python/binding/options.h"
@@ -17,10 +21,6 @@
 #include "reports/formats/format.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/evidence.h"
-#include "plans/first_look.h"
-#include "plans/judged_plan.h"
-#include "plans/notices.h"
-#include "plans/run_plan.h"
 
 namespace axiscert::python {
 namespace {

@@ -6,14 +6,13 @@
 #include <tuple>
 
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/file_parts.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
+#include "plans/address_query.h"
 #include "python/binding/common.h"
 #include "python/binding/work.h"
-#include "plans/address_query.h"
 
 namespace axiscert::python {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "exact/trait/oracles.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 
 namespace axiscert {

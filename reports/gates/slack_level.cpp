@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "fuzz/slack/slack.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"

@@ -12,7 +12,7 @@
 #include "fuzz/confirm/witness.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/queries/source.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "fuzz/record/looked_at.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

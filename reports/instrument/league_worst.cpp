@@ -9,7 +9,7 @@
 
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/source.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 #include "kernel/plugin/manifest.h"

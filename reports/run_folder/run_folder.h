@@ -12,7 +12,7 @@
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json_fwd.h"
-#include "fuzz/text/length_unit.h"
+#include "fuzz/text/number_text.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

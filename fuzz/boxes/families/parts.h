@@ -11,8 +11,8 @@
 
 #include "exact/boxes/measures.h"
 #include "fuzz/boxes/families/situations.h"
-#include "fuzz/queries/steps.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/floats.h"
 #include "fuzz/queries/random.h"
 #include "kernel/boxes/turned.h"
 

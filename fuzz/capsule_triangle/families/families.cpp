@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fuzz/capsule_triangle/families/situations.h"
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "fuzz/moving_sphere/families/situations.h"
-#include "fuzz/sphere_triangle/families/parts/shapes.h"
-#include "fuzz/queries/steps.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/queries/floats.h"
+#include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert::moving_sphere {

@@ -4,7 +4,7 @@
 // feature's radius comparison, unless the radius is within rounding of the distance, where both can be wrong at once.
 // Hence half of the radii are chosen there.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 

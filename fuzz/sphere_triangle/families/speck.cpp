@@ -1,11 +1,11 @@
 // Exact ties, with specks in place of zero coordinates: numbers from a rounding error of the query's size down to the
 // least number there is. The part that decides such a query, if any part does, lies hundreds of bits below all others,
 // where products underflow: arithmetic that is exact except for underflow answers as if the specks were absent.
+#include "fuzz/queries/family.h"
+#include "fuzz/queries/floats.h"
+#include "fuzz/queries/random.h"
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "kernel/sphere_triangle/query.h"
-#include "fuzz/queries/family.h"
-#include "fuzz/queries/random.h"
-#include "kernel/base/powers_of_two.h"
 
 namespace axiscert {
 namespace {

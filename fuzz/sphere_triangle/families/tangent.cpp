@@ -1,6 +1,6 @@
 // Radii solved onto each of the seven radius boundaries, with the centre in the region where that axis decides.
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/queries/steps.h"
+#include "fuzz/queries/floats.h"
 #include "kernel/sphere_triangle/query.h"
 #include "fuzz/sphere_triangle/families/parts/lanes.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "fuzz/queries/floats.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
-#include "fuzz/queries/steps.h"
 
 namespace axiscert::shapes {
 

@@ -1,5 +1,5 @@
 // A product by a power of two is std::ldexp, bit by bit.
-#include "kernel/base/powers_of_two.h"
+#include "fuzz/queries/floats.h"
 
 #include <gtest/gtest.h>
 
