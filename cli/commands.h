@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-
 #include <exception>
 #include <functional>
 #include <string>
@@ -65,5 +64,10 @@ inline const std::vector<std::string> data_formats = {"json", "csv"};
 std::string data_text(const Json& data, const std::string& format);
 // Adds the `--plugin-seconds` option of the commands that run kernels.
 void add_plugin_seconds(CLI::App& command);
+
+// The whole command line: its subcommands, under what their users want, and what it says of itself.
+
+// Declares every subcommand; `action` is the chosen one's, once a line is parsed.
+void declare_command_line(CLI::App& app, Action& action);
 
 }  // namespace axiscert

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/app.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/usage.h"

@@ -28,7 +28,7 @@ struct Lanes {
 template <class D>
 using LanesOf = Lanes<hn::Vec<D>>;
 
-// The lanes in which something holds, and what is made of it: kernel/moving_sphere/choice.h has the same for one
+// The lanes in which something holds, and what is made of it: kernel/moving_sphere/branchless.h has the same for one
 // number.
 template <class V>
 struct ComparisonLanes {

@@ -14,7 +14,7 @@
 #include "fuzz/queries/sweep.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
-#include "plans/first_look.h"
+#include "plans/notices.h"
 #include "plans/predicate_options.h"
 #include "plans/run_plan.h"
 #include "reports/run_folder/run_folder.h"

@@ -10,9 +10,9 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
+#include "plans/notices.h"
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/search_report.h"
-#include "plans/first_look.h"
 
 namespace axiscert {
 namespace {

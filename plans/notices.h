@@ -1,4 +1,5 @@
-// What is said beside a result while a plan is made: on standard error, or as whoever asks has it.
+// What is said beside a result: the notices while a plan is made, on standard error or as whoever asks has it; and
+// before anything else that a kernel is not fit to be asked.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,6 +7,9 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "kernel/kernel.h"
 
 namespace axiscert {
 
@@ -20,5 +24,10 @@ template <class... Args>
 void notice(fmt::format_string<Args...> format, Args&&... args) {
   take_notice(fmt::format(format, std::forward<Args>(args)...));
 }
+
+// Looks at each kernel of a user's file, and prints on standard error what is wrong at first sight: a line, before
+// anything else is printed. The command goes on, and says what comes of it.
+void print_first_look(const std::vector<const Kernel*>& kernels);
+void print_first_look(const Kernel& kernel);
 
 }  // namespace axiscert

@@ -11,7 +11,7 @@
 #include "fuzz/search/numbers.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "plans/first_look.h"
+#include "plans/notices.h"
 #include "plans/predicate_options.h"
 #include "plans/run_plan.h"
 

@@ -19,7 +19,7 @@
 #include "kernel/permitted/kernels.h"
 #include "kernel/query.h"
 #include "plans/address_query.h"
-#include "plans/first_look.h"
+#include "plans/notices.h"
 #include "plans/predicate_options.h"
 #include "plans/query_parts.h"
 

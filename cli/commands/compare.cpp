@@ -14,7 +14,7 @@
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
-#include "plans/first_look.h"
+#include "plans/notices.h"
 #include "reports/comparison/compare.h"
 #include "reports/comparison/comparison_report.h"
 #include "reports/run_folder/identity.h"

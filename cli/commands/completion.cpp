@@ -4,12 +4,12 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/glossary.h"
 #include "cli/usage.h"
+#include "cli/words.h"
 #include "fuzz/queries/family.h"
+#include "kernel/base/version.h"
 #include "kernel/kernel.h"
 #include "kernel/plugin/load.h"
-#include "kernel/base/version.h"
 
 namespace axiscert {
 namespace {

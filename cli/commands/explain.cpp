@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "cli/commands.h"
-#include "cli/glossary.h"
 #include "cli/help.h"
 #include "cli/usage.h"
 #include "cli/words.h"

@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <atomic>
 
-#include "plans/first_look.h"
+#include "cli/help.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
-#include "plans/predicate_options.h"
-#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "fuzz/causes/cause.h"
+#include "fuzz/confirm/record.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
-#include "fuzz/confirm/record.h"
 #include "kernel/registry/self_check.h"
-#include "fuzz/causes/cause.h"
+#include "plans/notices.h"
+#include "plans/predicate_options.h"
 #include "reports/instrument/league_contacts.h"
 #include "reports/instrument/league_report.h"
 

@@ -17,7 +17,7 @@
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "plans/address_query.h"
-#include "plans/first_look.h"
+#include "plans/notices.h"
 #include "plans/predicate_options.h"
 #include "reports/instrument/map.h"
 #include "reports/run_folder/run_folder.h"

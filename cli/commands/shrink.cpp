@@ -3,18 +3,18 @@
 #include <chrono>
 #include <cstdio>
 
-#include "fuzz/fields/json_form.h"
-#include "plans/first_look.h"
-#include "plans/address_query.h"
-#include "plans/predicate_options.h"
-#include "plans/query_parts.h"
-#include "cli/options/shared_options.h"
 #include "cli/commands.h"
 #include "cli/help.h"
+#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
-#include "kernel/base/error.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
+#include "kernel/base/error.h"
+#include "plans/address_query.h"
+#include "plans/notices.h"
+#include "plans/predicate_options.h"
+#include "plans/query_parts.h"
 #include "plans/shrink_query.h"
 
 namespace axiscert {

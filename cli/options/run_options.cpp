@@ -7,7 +7,9 @@
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/text/number_text.h"
 #include "plans/predicate_options.h"
+#include "reports/gates/requirement.h"
 
 namespace axiscert {
 
@@ -88,6 +90,27 @@ void add_run_options(CLI::App& command, RunOptions& o) {
   command.add_option("--preset", o.preset, presets_text())->check(one_of(preset_names()));
   add_plugin_seconds(command);
   add_output_options(command, o);
+}
+
+void add_require_options(CLI::App& command, RunRequirements& required) {
+  const std::vector<std::string_view> names = length_unit_names();
+  command
+      .add_option(
+          "--require", required.levels,
+          fmt::format("LEVEL or 'LEVEL in FAMILY,...' (patterns with * too), repeatable: exit 1 where it is not met "
+                      "or not checked; {}",
+                      levels_help()))
+      ->allow_extra_args(false);
+  command
+      .add_option("--allow-unchecked", required.allow_unchecked,
+                  "level of --require that passes where these queries or this kernel cannot show it, repeatable")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--unit", required.unit,
+          "the unit of length of the queries' numbers, for lengths in levels and reports (families of scenes are "
+          "in metres)")
+      ->check(one_of({names.begin(), names.end()}));
 }
 
 }  // namespace axiscert

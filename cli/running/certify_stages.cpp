@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "fuzz/text/json.h"
-#include "plans/search_plan.h"
-#include "plans/predicate_options.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/mutation/black_box.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json.h"
+#include "plans/predicate_options.h"
+#include "plans/search_plan.h"
 #include "reports/certificate/margin.h"
 #include "reports/certificate/statement/statement.h"
-#include "reports/gates/gate.h"
+#include "reports/gates/requirement.h"
 #include "reports/instrument/black_box_report.h"
 #include "reports/instrument/mutation_report.h"
 #include "reports/run_folder/run_folder.h"

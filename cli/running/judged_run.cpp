@@ -8,16 +8,15 @@
 #include <filesystem>
 #include <optional>
 
-#include "fuzz/fields/json_form.h"
-#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
-#include "cli/running/brief_output.h"
 #include "cli/running/run_output.h"
-#include "plans/shrunk.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "plans/notices.h"
+#include "plans/shrink_query.h"
 #include "reports/formats/format.h"
 #include "reports/gates/ratchet.h"
 #include "reports/run_folder/run_folder.h"

@@ -7,7 +7,6 @@
 #include <set>
 #include <sstream>
 
-#include "plans/first_look.h"
 #include "cli/commands.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
@@ -18,6 +17,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
+#include "plans/notices.h"
 
 namespace axiscert {
 Selection shard_of(const std::string& given) {

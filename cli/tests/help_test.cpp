@@ -7,7 +7,7 @@
 #include <functional>
 #include <sstream>
 
-#include "cli/app.h"
+#include "cli/commands.h"
 
 namespace axiscert {
 namespace {

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "cli/running/brief_output.h"
 #include "cli/running/check_output.h"
 #include "cli/running/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"

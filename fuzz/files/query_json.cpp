@@ -1,5 +1,5 @@
 // A query of the members of a line, and the line of a query.
-#include "fuzz/files/query_json.h"
+#include "fuzz/files/query_object.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_MOVING_SPHERE_ROUNDED_H)
 #define AXISCERT_KERNEL_MOVING_SPHERE_ROUNDED_H
 
-#include "kernel/moving_sphere/nearest.h"
+#include "kernel/moving_sphere/branchless.h"
 
 AXISCERT_BEFORE_NAMESPACE();
 namespace axiscert {

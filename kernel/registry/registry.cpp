@@ -1,4 +1,6 @@
 // The registry: the kernels of all predicates in the order of the predicates, and those that an id composes.
+#include "kernel/kernel.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,7 +18,6 @@
 #include "kernel/plugin/load.h"
 #include "kernel/predicate_list.h"
 #include "kernel/registry/called.h"
-#include "kernel/registry/given.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/reference/scalar_kernel.h"
 
@@ -217,6 +218,34 @@ std::string resolve_target(std::string_view name) {
   const std::vector<std::string_view> known(available.begin(), available.end());
   throw Error(fmt::format("target '{}' is not on this machine{} targets: auto, {}", name, did_you_mean(name, known),
                           fmt::join(available, ", ")));
+}
+
+namespace {
+
+struct GivenKernels {
+  std::mutex mutex;
+  std::deque<Kernel> all;  // the newest of an id is the last
+};
+GivenKernels& given_kernels() {
+  static GivenKernels given;
+  return given;
+}
+
+}  // namespace
+
+const Kernel& give_kernel(Kernel kernel) {
+  if (std::ranges::any_of(kernels(), [&](const Kernel& own) { return own.id == kernel.id; }))
+    throw Error(fmt::format("kernel '{}': that is a built-in kernel; give another name", kernel.id));
+  GivenKernels& given = given_kernels();
+  const std::lock_guard lock(given.mutex);
+  return given.all.emplace_back(std::move(kernel));
+}
+
+const Kernel* given_kernel(std::string_view id) {
+  GivenKernels& given = given_kernels();
+  const std::lock_guard lock(given.mutex);
+  const auto found = std::find_if(given.all.rbegin(), given.all.rend(), [&](const Kernel& k) { return k.id == id; });
+  return found == given.all.rend() ? nullptr : &*found;
 }
 
 }  // namespace axiscert

@@ -6,6 +6,11 @@
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
+#include "plans/formula_figures.h"
+#include "plans/kernel_figures.h"
+#include "plans/notices.h"
+#include "plans/query_parts.h"
+#include "plans/shrink_query.h"
 #include "python/binding/common.h"
 #include "python/binding/options.h"
 #include "python/binding/work.h"
@@ -14,11 +19,6 @@
 #include "reports/instrument/diagnosis_report.h"
 #include "reports/instrument/instrument.h"
 #include "reports/instrument/search_report.h"
-#include "plans/formula_figures.h"
-#include "plans/first_look.h"
-#include "plans/kernel_figures.h"
-#include "plans/query_parts.h"
-#include "plans/shrink_query.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert::python {

@@ -15,8 +15,8 @@
 #include "fuzz/queries/family.h"
 #include "reports/certificate/statement/statement.h"
 #include "reports/run_folder/run_folder.h"
+#include "reports/wording/causes.h"
 #include "reports/wording/everyday.h"
-#include "reports/wording/classes.h"
 #include "reports/wording/reproduce.h"
 #include "reports/wording/summary.h"
 

@@ -34,7 +34,7 @@ Record recorded_by(const std::string& kernel, std::initializer_list<const char*>
 
 std::string promises(const char* kind) { return fmt::format("plugin:{}/promises/{}.so", BUILD_FOLDER, kind); }
 
-// The witnesses of the record, as though this kind of kernel/plugin/promises had given them.
+// The witnesses of the record, as though this kind of kernel/plugin/testing/promises.c had given them.
 std::vector<ReplayedQuery> replayed_by(Record record, const char* kind) {
   const std::string id = promises(kind);
   record.plan.kernels[0] = id;

@@ -4,9 +4,9 @@
 #include "fuzz/confirm/nearest_kernel.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"
-#include "reports/testing/test_run.h"
 #include "reports/run_folder/run_folder.h"
-#include "reports/wording/classes.h"
+#include "reports/testing/test_run.h"
+#include "reports/wording/causes.h"
 
 namespace axiscert {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/gates/requirement.h"
 #include "reports/wording/causes.h"
-#include "reports/wording/classes.h"
-#include "reports/gates/first_levels.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/everyday.h"
 #include "reports/wording/markdown_text.h"

@@ -1,6 +1,6 @@
 // The levels with which a report begins: those that were required, else those that are advised.
 #include "fuzz/fields/json_form.h"
-#include "reports/gates/first_levels.h"
+#include "reports/gates/requirement.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

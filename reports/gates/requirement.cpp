@@ -9,7 +9,6 @@
 
 #include "kernel/base/error.h"
 #include "reports/gates/enough.h"
-#include "reports/gates/gate.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -337,6 +336,31 @@ Gate gate_at(const std::string& level) {
       failures.push_back({failure.kernel, failure.precision, failure.family, failure.what});
     return failures;
   };
+}
+
+FirstLevels first_levels(const Record& record) {
+  if (!requirements_of(record.plan).levels.empty()) {
+    FirstLevels first{true, "", outcomes_of(record)};
+    first.lead = pass(first.outcomes) ? "What was required is met." : "What was required is not met.";
+    return first;
+  }
+  FirstLevels first{false, "Nothing was required. ", {}};
+  for (const GateLevel* level : gate_levels()) {
+    if (level->advice == nullptr) continue;
+    first.lead += fmt::format("Advised: --require {} {}.", level->name(), level->advice);
+    for (LevelOutcome& outcome : outcomes_at(record, std::string(level->name())))
+      first.outcomes.push_back(std::move(outcome));
+  }
+  return first;
+}
+
+std::string reason_text(const LevelOutcome& outcome) {
+  if (outcome.failures.empty()) return outcome.reason;
+  const Failure& first = outcome.failures.front();
+  const std::size_t more = outcome.failures.size() - 1;
+  return (first.family.empty() ? first.what
+                               : fmt::format("{}: {}: {}", first.family, first.what, thousands(first.count))) +
+         (more == 0 ? "" : fmt::format("; and {} more", thousands(more)));
 }
 
 }  // namespace axiscert

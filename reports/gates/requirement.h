@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/mutation/black_box.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "reports/gates/level.h"
 
 namespace axiscert {
+
 enum class LevelState { met, not_met, not_checked };
 template <>
 inline constexpr std::size_t enum_count<LevelState> = 3;
@@ -130,5 +132,22 @@ std::vector<Failure> unmet(const Record& record, const std::string& level);
 // Sentences, one for each kernel of the plan that could not be loaded, that has a family without a valid query in any
 // of its precisions, or that has valid queries outside its limits only. Empty where the whole plan was judged.
 std::vector<std::string> unjudged(const Record& record);
+
+// The levels with which a report begins.
+
+struct FirstLevels {
+  bool are_required;  // else they are those that are advised
+  std::string lead;   // a sentence
+  std::vector<LevelOutcome> outcomes;
+};
+FirstLevels first_levels(const Record& record);
+
+// Where it is not met, the first way; why it is not checked; empty where it is met.
+std::string reason_text(const LevelOutcome& outcome);
+
+// A level of --require as the gate of a mutation score (fuzz/mutation/black_box.h).
+
+// The failures of a record at the level. Throws Error, when it is asked, for a level that does not exist.
+Gate gate_at(const std::string& level);
 
 }  // namespace axiscert

@@ -53,8 +53,7 @@ std::string filled(std::string_view page_template, std::span<const std::pair<std
 
 std::string scene_scripts() {
   using namespace embedded;
-  const std::string_view all[] = {scene_view_js, pictures_js, sphere_triangle_scene_js, moving_sphere_scene_js,
-                                  boxes_scene_js};
+  const std::string_view all[] = {scene_view_js, sphere_triangle_scene_js, moving_sphere_scene_js, boxes_scene_js};
   return fmt::format("{}", fmt::join(all, "\n"));
 }
 

@@ -8,6 +8,7 @@ import unittest
 import jsonschema
 
 from certificates import canonical, CertifyCase
+from closest_point import UPWARDS, built
 from command import BUILD, axiscert, schema_of
 
 
@@ -91,7 +92,7 @@ class Certify(CertifyCase):
         self.assertEqual((out / "certificate.json").read_bytes(), self.certificate_of("published").read_bytes())
 
     def certified_promise(self, name, code=0):
-        """The predicate and the text of the certificate of one of kernel/plugin/promises."""
+        """The predicate and the text of the certificate of one of kernel/plugin/testing/promises.c."""
         out = self.folder / name
         self.certify(f"plugin:{BUILD}/promises/{name}.so", out=out, code=code)
         self.verify(out / "certificate.json")
@@ -142,6 +143,25 @@ class Certify(CertifyCase):
         self.refused("certify", "published", "--effort", "quik", says=["--effort", "quick"])
         self.refused("certify", "published", "--key", self.written(b"hello"), says=["is no private key in PEM"])
         self.refused("certify", says=["KERNEL"])
+
+
+class NumbersCertified(CertifyCase):
+    """A certificate is of the numbers beside a verdict too: a change of one, planted in a plug-in, is not certified, and not verified."""
+    def levels_of(self, kernel, name):
+        predicate = json.loads(self.certificate_of(kernel, name=name).read_text())["predicate"]
+        return {level["level"]: level["state"] for level in predicate["levels"]}
+
+    def test_a_certificate_is_of_the_numbers_too(self):
+        kernel = built(self.folder, "mine")
+        good = self.levels_of(kernel, "good")
+        bad = self.levels_of(built(self.folder, "changed", "*feature = 6"), "bad")
+        self.assertEqual({name for name, state in good.items() if bad.get(name) != state and state == "met"}, {"feature=0.001"}, f"{good}\n{bad}")
+        self.verify(self.folder_of("good") / "certificate.json", "--kernel", kernel)
+        self.verify(self.folder_of("good") / "certificate.json", "--kernel", built(self.folder, "mine", "*feature = 6"), code=1)
+
+    def test_numbers_have_to_follow_exact_images(self):
+        for name, kernel, state in (("exact", "contact", "met"), ("uneven", built(self.folder, "upwards", UPWARDS), "not met")):
+            self.assertEqual(self.levels_of(kernel, name)["follows=0.001"], state, name)
 
 
 if __name__ == "__main__":
