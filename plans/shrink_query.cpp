@@ -8,7 +8,7 @@
 #include "fuzz/confirm/record.h"
 #include "fuzz/shrink/pair.h"
 #include "kernel/base/error.h"
-#include "plans/query_parts.h"
+#include "plans/given_queries.h"
 
 namespace axiscert {
 namespace {

@@ -13,7 +13,7 @@
 #include "fuzz/shrink/pair.h"
 #include "fuzz/shrink/shrink.h"
 #include "kernel/base/error.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 #include "reports/instrument/query_data.h"
 
 namespace axiscert {

@@ -18,10 +18,9 @@
 #include "fuzz/queries/source.h"
 #include "kernel/permitted/kernels.h"
 #include "kernel/query.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 #include "plans/notices.h"
 #include "plans/predicate_options.h"
-#include "plans/query_parts.h"
 
 namespace axiscert {
 namespace {

@@ -9,8 +9,6 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "plans/address_query.h"
-#include "plans/predicate_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
@@ -18,6 +16,8 @@
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
+#include "plans/given_queries.h"
+#include "plans/predicate_options.h"
 
 namespace axiscert {
 void add_query(CLI::App& app, Action& action) {

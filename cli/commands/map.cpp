@@ -16,7 +16,7 @@
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 #include "plans/notices.h"
 #include "plans/predicate_options.h"
 #include "reports/instrument/map.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/help.h"
 #include "cli/options/instrument_options.h"
 #include "cli/options/run_options.h"
 #include "cli/options/shared_options.h"
-#include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "exact/numbers/number_format.h"
@@ -17,10 +17,10 @@
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "reports/instrument/precision/critical_radius_report.h"
 #include "plans/formula_figures.h"
+#include "plans/given_queries.h"
 #include "plans/predicate_options.h"
-#include "plans/query_parts.h"
+#include "reports/instrument/precision/critical_radius_report.h"
 
 namespace axiscert {
 namespace {

@@ -11,10 +11,9 @@
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 #include "plans/notices.h"
 #include "plans/predicate_options.h"
-#include "plans/query_parts.h"
 #include "plans/shrink_query.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-// Declares the options that the measuring subcommands share (reports/plans/instrument_plan.h), and prints their
+// Declares the options that the measuring subcommands share (plans/instrument_plan.h), and prints their
 // reports.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Declares the options of `axiscert run`, and those that it shares with `generate` and `judge`
-// (reports/plans/run_plan.h).
+// (plans/run_plan.h).
 #pragma once
 
 #include <CLI/CLI.hpp>

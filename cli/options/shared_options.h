@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/help.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 
 namespace axiscert {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "plans/address_query.h"
 #include "exact/trait/examine.h"
-#include "reports/instrument/query_data.h"
+#include "plans/given_queries.h"
 #include "reports/instrument/data.h"
+#include "reports/instrument/query_data.h"
 
 namespace axiscert {
 

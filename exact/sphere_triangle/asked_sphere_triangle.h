@@ -5,7 +5,7 @@
 #include <forward_list>
 #include <optional>
 
-#include "exact/sphere_triangle/measures/lazy_distance.h"
+#include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/trait/oracles.h"
 #include "kernel/formulae_list.h"

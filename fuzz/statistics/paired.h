@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "fuzz/statistics/clusters.h"
+#include "fuzz/statistics/proportions.h"
 
 namespace axiscert {
 

@@ -1,8 +1,10 @@
-// Rates of failures, and tests of whether two of independent trials are the same, valid at any count, however small.
-// `clusters.h` has trials that are not independent, `paired.h` the same trials of two kernels.
+// Rates of failures, and tests of whether two of independent trials are the same, valid at any count, however small;
+// and limits of a rate over clusters of trials that are not independent. `paired.h` has the same trials of two kernels.
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,5 +30,50 @@ std::pair<double, double> rate_limits(Proportion x);
 
 // 1 - 0.05^(1/n): the rate of failures that n right answers exclude, with 95 % confidence.
 double excluded_rate(std::uint64_t n);
+
+// Rates of failures among trials that come in clusters: queries that share a triangle or are images of one base, and
+// the comparisons of one query, are not independent of each other; clusters are.
+
+// Sums of the clusters of which the sum is not 0: how many clusters have each. Merging does not depend on the order.
+class ClusterSums {
+ public:
+  void add(std::int64_t sum) {
+    if (sum != 0) ++clusters_[sum];
+  }
+  void merge(const ClusterSums& other) {
+    for (const auto& [sum, count] : other.clusters_) clusters_[sum] += count;
+  }
+  const std::map<std::int64_t, std::uint64_t>& clusters() const { return clusters_; }
+  std::int64_t total() const;
+  double total_of_squares() const;
+  bool operator==(const ClusterSums&) const = default;
+
+ private:
+  std::map<std::int64_t, std::uint64_t> clusters_;
+};
+
+// With fewer clusters of several trials a design effect is too uncertain for limits: their coverage falls below 93 %.
+inline constexpr std::uint64_t fewest_clusters = 20;
+
+struct ClusteredTrials {
+  std::uint64_t trials = 0, clusters = 0;  // clusters <= trials, of about the same number of trials each
+  double mean_size() const { return static_cast<double>(trials) / static_cast<double>(clusters); }
+  bool has_limits() const { return trials != 0 && (clusters == trials || clusters >= fewest_clusters); }
+};
+
+struct RateLimits {
+  double low, high;
+};
+
+// By how many times the variance of a total over clusters is that of as many independent trials, at least 1 (Rao and
+// Scott, Biometrics 48, 1992: dividing counts by it makes them those of independent trials). `variance` is that of one
+// trial if all were independent. Where it is 0 the data tell nothing, and the trials of a cluster count as one.
+double design_effect(const ClusteredTrials& of, const ClusterSums& sums, double variance);
+
+inline constexpr double z_of_limits = 1.959963984540054;  // of 97.5 % of a normal distribution
+
+// Wilson's score limits of a rate, 95 %, of failures and trials divided by their design effect; without a failure
+// {0, excluded_rate(clusters)}. Empty without trials, and of too few clusters.
+std::optional<RateLimits> wilson_limits(const ClusteredTrials& of, const ClusterSums& failures);
 
 }  // namespace axiscert

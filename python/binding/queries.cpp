@@ -10,7 +10,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
-#include "plans/address_query.h"
+#include "plans/given_queries.h"
 #include "python/binding/common.h"
 #include "python/binding/work.h"
 

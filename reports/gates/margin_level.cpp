@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/gates/level.h"
-#include "reports/wording/margin.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -1,15 +1,18 @@
 // How deep wrong verdicts are, to which side a kernel errs, and what is left of that on engine-like queries, as the
-// formats show them.
+// formats show them; and whether a kernel keeps the margin that it declares.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/kernel_record.h"
+#include "fuzz/record/record.h"
 
 namespace axiscert {
+
 // The columns of a table of depths, shares of the scene, each from its name to the next one's: "zero", "< 1e-8",
 // "1e-8", ..., "0.1"; and the counts of decades in them.
 const std::vector<std::string>& depth_columns();
@@ -33,5 +36,18 @@ const std::vector<std::string>& contact_columns(bool moves);
 std::vector<std::string> contact_cells(const FamilyRecord& family);
 // The meaning of the columns.
 const char* contact_note(bool moves);
+
+// What a kernel says of two that are apart by no more than the margin that it declares.
+
+struct WithinMargin {
+  std::uint64_t answered = 0, contacts = 0;
+};
+// Empty where the record does not say: without a margin, or with other limits, whose queries are counted together.
+std::optional<WithinMargin> within_margin(const KernelRecord& kernel, const FamilyRecord& result);
+// Why no query shows whether the kernel keeps a margin.
+std::string why_no_margin(const KernelRecord& kernel);
+// "declares a margin of 0.005, and calls 12 of 90 queries that are apart by no more not contact"; empty where it calls
+// all so, or none is.
+std::string broken_margin_text(const KernelRecord& kernel);
 
 }  // namespace axiscert

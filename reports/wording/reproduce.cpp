@@ -11,7 +11,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/predicate.h"
-#include "reports/wording/margin.h"
+#include "reports/wording/depths.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fuzz/sphere_triangle/formulae/choices.h"
-#include "fuzz/statistics/clusters.h"
+#include "fuzz/statistics/proportions.h"
 #include "reports/instrument/precision/precision_report.h"
 
 namespace axiscert {
