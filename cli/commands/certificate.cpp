@@ -3,11 +3,11 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/run_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
+#include "cli/run_options.h"
 #include "cli/running/certify.h"
 #include "cli/running/verify.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/certify/effort.h"
 

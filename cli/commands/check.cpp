@@ -7,10 +7,10 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/check_output.h"
 #include "cli/running/query_rows.h"
+#include "cli/shared_options.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_file.h"

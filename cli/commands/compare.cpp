@@ -7,9 +7,9 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"

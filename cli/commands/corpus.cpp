@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/shared_options.h"
+#include "cli/shared_options.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

@@ -2,14 +2,14 @@
 #include <optional>
 
 #include "cli/ending.h"
-#include "cli/options/instrument_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/help.h"
+#include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/running/run_output.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
-#include "reports/instrument/diagnosis_report.h"
 #include "plans/kernel_figures.h"
+#include "reports/instrument/diagnosis_report.h"
 
 namespace axiscert {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/run_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
+#include "cli/run_options.h"
+#include "cli/shared_options.h"
 #include "fuzz/pipe/streams.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"

@@ -4,9 +4,9 @@
 #include <atomic>
 
 #include "cli/help.h"
-#include "cli/options/instrument_options.h"
-#include "cli/options/run_options.h"
+#include "cli/instrument_options.h"
 #include "cli/progress_line.h"
+#include "cli/run_options.h"
 #include "cli/running/run_output.h"
 #include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"

@@ -5,16 +5,16 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "fuzz/fields/json_form.h"
-#include "plans/predicate_options.h"
-#include "cli/options/shared_options.h"
+#include "cli/shared_options.h"
 #include "fuzz/confirm/record.h"
+#include "fuzz/fields/json_form.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/permitted/permissions.h"
 #include "kernel/plugin/load.h"
 #include "kernel/predicate.h"
 #include "kernel/registry/called.h"
+#include "plans/predicate_options.h"
 #include "reports/instrument/lists.h"
 
 namespace axiscert {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "cli/help.h"
-#include "cli/options/instrument_options.h"
-#include "cli/options/run_options.h"
-#include "cli/options/shared_options.h"
+#include "cli/instrument_options.h"
 #include "cli/progress_line.h"
+#include "cli/run_options.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "exact/numbers/number_format.h"
 #include "exact/sphere_triangle/unbounded/unbounded.h"

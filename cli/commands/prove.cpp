@@ -9,16 +9,16 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/instrument_options.h"
-#include "cli/options/shared_options.h"
+#include "cli/instrument_options.h"
+#include "cli/progress_line.h"
+#include "cli/running/run_output.h"
+#include "cli/shared_options.h"
 #include "fuzz/fields/json_form.h"
+#include "fuzz/queries/source.h"
+#include "kernel/base/error.h"
 #include "proofs/bounds.h"
 #include "proofs/checkers.h"
 #include "proofs/emit/emit.h"
-#include "fuzz/queries/source.h"
-#include "kernel/base/error.h"
-#include "cli/progress_line.h"
-#include "cli/running/run_output.h"
 #include "reports/instrument/proofs_data.h"
 
 namespace axiscert {

@@ -3,18 +3,18 @@
 #include <atomic>
 
 #include "cli/ending.h"
-#include "cli/options/instrument_options.h"
-#include "cli/options/run_options.h"
-#include "plans/search_plan.h"
-#include "plans/predicate_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/help.h"
+#include "cli/instrument_options.h"
 #include "cli/progress_line.h"
-#include "cli/usage.h"
+#include "cli/run_options.h"
 #include "cli/running/run_output.h"
+#include "cli/shared_options.h"
+#include "cli/usage.h"
 #include "fuzz/search/pools.h"
-#include "reports/instrument/search_report.h"
 #include "plans/kernel_figures.h"
+#include "plans/predicate_options.h"
+#include "plans/search_plan.h"
+#include "reports/instrument/search_report.h"
 
 namespace axiscert {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "cli/commands.h"
 #include "cli/help.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/fields/json_form.h"

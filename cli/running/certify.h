@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "plans/plan_file.h"
-#include "cli/options/reply_plan.h"
+#include "cli/reply_plan.h"
 #include "cli/running/run_output.h"
 #include "fuzz/certify/effort.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/search/search.h"
+#include "plans/plan_file.h"
 #include "reports/certificate/statement/certificate_data.h"
 
 namespace axiscert {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/options/run_options.h"
+#include "cli/run_options.h"
 #include "cli/running/run_output.h"
-#include "reports/gates/ratchet.h"
 #include "plans/judged_plan.h"
+#include "reports/gates/ratchet.h"
 
 namespace axiscert {
 // A run that was judged, and is not reported yet.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/reply_plan.h"
+#include "cli/reply_plan.h"
 #include "fuzz/campaign/campaign.h"
 #include "reports/certificate/statement/certificate_data.h"
 #include "reports/certificate/statement/statement.h"

@@ -71,7 +71,7 @@ class OneDeclaration(unittest.TestCase):
     def test_a_name_is_declared_in_one_place(self):
         sources = {str(path.relative_to(ROOT)): path.read_text() for path in (ROOT / "cli").rglob("*.cpp") if "tests" not in path.parts}
         # The file in which an address is, of which there is one; and the one file of each kind that replies are of.
-        others = {"queries": ["cli/options/shared_options.cpp", "cli/options/reply_plan.cpp"], "trials": ["cli/options/shared_options.cpp"]}
+        others = {"queries": ["cli/shared_options.cpp", "cli/reply_plan.cpp"], "trials": ["cli/shared_options.cpp"]}
         for name, places in self.places(sources).items():
             for one in others.get(name, []):
                 places.remove(one)

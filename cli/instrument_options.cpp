@@ -1,4 +1,4 @@
-#include "cli/options/instrument_options.h"
+#include "cli/instrument_options.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 
 #include "cli/commands.h"
 #include "cli/ending.h"
-#include "cli/options/run_options.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
+#include "cli/run_options.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/sweep.h"

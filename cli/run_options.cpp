@@ -1,10 +1,10 @@
-#include "cli/options/run_options.h"
+#include "cli/run_options.h"
 
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/options/shared_options.h"
 #include "cli/progress_line.h"
+#include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/number_text.h"

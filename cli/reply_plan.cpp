@@ -1,4 +1,4 @@
-#include "cli/options/reply_plan.h"
+#include "cli/reply_plan.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "cli/options/shared_options.h"
+#include "cli/shared_options.h"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
