@@ -82,6 +82,7 @@ TEST(CapsuleContact, EachFaultHasItsFigure) {
   const ContactJudgement flipped = changed([](Said& n) { n[3] = 1; });
   EXPECT_TRUE(flipped.pushed->is_flip);
   EXPECT_EQ(flipped.pushed->left.text(), "2");
+  EXPECT_EQ(flipped.points_apart, 0) << "the points are right whatever the normal";
   EXPECT_NEAR(changed([](Said& n) { n[1] = 1e-3; }).normal_angle.value(), 1e-3, 1e-9);
   EXPECT_EQ(changed([](Said& n) { n[3] = -2; }).normal_length_error, 1);
   EXPECT_NEAR(changed([](Said& n) { n[0] = -1.005; }).separation->length, 0.005, 1e-15);
