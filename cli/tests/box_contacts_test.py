@@ -142,7 +142,7 @@ class BoxFaults(Case):
     # What the numbers of each are like, in the words of a diagnosis.
     NAMED = {"none": {}, "flipped": {"normal": "flipped"}, "tilted": {"normal": "tilted"},
              "not_unit": {"normal": "not_normalised"}, "halved": {"separation": "scaled"}, "margin": {"separation": "margin"},
-             "swapped": {"contact_point": "exchanged"}}
+             "swapped": {"contact_point": "exchanged"}, "halved_level": {"separation": "wrong"}}
 
     def test_each_is_named_by_its_diagnosis(self):
         for fault, named in self.NAMED.items():
