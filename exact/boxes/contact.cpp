@@ -206,13 +206,13 @@ Rational ExactContact::rest_after(const Point& way) const {
   return *least / unit_;
 }
 
-Rational ExactContact::mismatch(const Point& a, const Point& b) const {
+Rational ExactContact::mismatch(const Point& a, const Point& b, bool any_way) const {
   const Point between = a - b;
   const Rational apart = dot(between, between);
   Rational longer = 0;  // as a difference of squares, in which nothing cancels
   if (apart != squared_) longer = (apart - squared_) / (root_below(apart) + root_below(squared_));
   // What a push leaves is no less than what it is shorter.
-  return is_apart_ ? Rational(abs(longer)) : std::max(longer, rest_after(between));
+  return is_apart_ || any_way ? Rational(abs(longer)) : std::max(longer, rest_after(between));
 }
 
 }  // namespace axiscert::boxes

@@ -77,14 +77,15 @@ class ExactContact {
 
   // Of points of the bodies 0 exactly where a push of the second by a - b is one of the shortest that part them, or,
   // of bodies apart, where none are nearer. Else by how much that push is longer than the penetration, or how much of
-  // it is left then, whichever is more; or | |a - b| - distance |. Relatively to 2^-240.
-  Rational mismatch(const Point& a, const Point& b) const;
+  // it is left then, whichever is more; or | |a - b| - distance |. Relatively to 2^-240. `any_way`: the length alone
+  // counts.
+  Rational mismatch(const Point& a, const Point& b, bool any_way = false) const;
 
   // The two distances and the mismatch as shares of the scene, rounded; 0 in a scene of one point.
   double share_outside_of_a(const Point& p) const { return share_of(squared_distance_from_a(p)); }
   double share_outside_of_b(const Point& p) const { return share_of(squared_distance_from_b(p)); }
-  double share_of_mismatch(const Point& a, const Point& b) const {
-    const Rational off = mismatch(a, b);
+  double share_of_mismatch(const Point& a, const Point& b, bool any_way) const {
+    const Rational off = mismatch(a, b, any_way);
     return share_of(off * off);
   }
 

@@ -36,6 +36,12 @@ class BodyContactJudge final : public ContactJudge {
     if (!exact_) exact_ = find_();
     return *exact_;
   }
+  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
+  // is taken for that leaves at most a sixteenth of a depth of 128 u.
+  bool has_clear_sides() const {
+    const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
+    return exact().squared_sides() > clear * clear * exact().squared_scene();
+  }
   void measure_separation(Verdict said, double separation, ContactJudgement& out) const;
   void measure_normal(const Point& normal, ContactJudgement& out) const;
   void measure_points(const Point& a, const Point& b, ContactJudgement& out) const;
@@ -69,12 +75,8 @@ void BodyContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJ
   }
   const bool is_backwards =
       std::ranges::all_of(exact().normals(), [&](const Point& right) { return sgn(Rational(dot(normal, right))) < 0; });
-  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
-  // is taken for that leaves at most a sixteenth of a depth of 128 u.
-  const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
-  const bool is_clear = exact().squared_sides() > clear * clear * exact().squared_scene();
   const Decimal6 left = exact().left(normal);
-  out.pushed = Pushed{left, is_backwards && is_clear && axiscert::exact(left) * most_left > 1};
+  out.pushed = Pushed{left, is_backwards && has_clear_sides() && axiscert::exact(left) * most_left > 1};
 }
 
 // Points of their bodies that a shortest push brings together, or that are as far apart as the bodies, are the exact
@@ -84,7 +86,7 @@ template <class Real, class Exact>
 void BodyContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, ContactJudgement& out) const {
   out.point_a_error = exact().share_outside_of_a(a);
   out.point_b_error = exact().share_outside_of_b(b);
-  out.points_apart = exact().share_of_mismatch(a, b);
+  out.points_apart = exact().share_of_mismatch(a, b, !has_clear_sides());
 }
 
 template <class Real, class Exact>

@@ -109,15 +109,16 @@ double ExactContact::share_outside_of_b(const RationalPoint& p) const {
 }
 
 // As of two boxes, with |a - b| - |root - less|.
-double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoint& b) const {
+double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool any_way) const {
   const boxes::RootLess right = separation(0);
   const Rational sign = compare({-right.less, right.squared}, 0) < 0 ? -1 : 1;
   const RootTerm between{1, square_of(a - b)}, root{-sign, right.squared}, less{sign * right.less};
-  const Rational rest = is_apart() ? Rational(0) : rest_after(a - b);
+  const bool is_length = is_apart() || any_way;
+  const Rational rest = is_length ? Rational(0) : rest_after(a - b);
   const int is_longer = sign_of_sum(between, root, less);
   if (is_longer == 0 && rest <= 0) return 0;
   const Rational longer = root_below(between.square) + root.factor * root_below(root.square) + less.factor,
-                 off = is_apart() ? Rational(abs(longer)) : std::max(longer, rest);
+                 off = is_length ? Rational(abs(longer)) : std::max(longer, rest);
   // The roots may be alike to all of their 240 bits.
   return off == 0 ? std::numeric_limits<double>::denorm_min() : share_of(abs(off));
 }

@@ -52,7 +52,7 @@ class ExactContact {
   // difference it is.
   double share_outside_of_a(const RationalPoint& p) const;
   double share_outside_of_b(const RationalPoint& p) const;
-  double share_of_mismatch(const RationalPoint& a, const RationalPoint& b) const;
+  double share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool any_way) const;
 
  private:
   bool is_right(const RationalPoint& n) const;

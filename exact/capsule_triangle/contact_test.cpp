@@ -110,6 +110,11 @@ TEST(CapsuleContact, EveryRightChoiceLeavesNothing) {
     EXPECT_EQ(found.point_b_error, 0);
   }
   EXPECT_FALSE(ExactContact(along).only_points());
+  Query on = above;  // a rounding above the face: the normal is anything, and so is the capsule's point
+  on.p = {0, 0, 0x1p-60};
+  EXPECT_LT(judged(on, Verdict::contact, {-4, 0, 1, 0, 0, 4, 0, 0, 0, 0}).points_apart, 1e-15);
+  on.p.z = 1;
+  EXPECT_GT(judged(on, Verdict::contact, {-3, 0, 1, 0, 0, 3, 0, 0, 0, 0}).points_apart, 0.1) << "which is no rounding";
 }
 
 // The float numbers of the kernel against the exact ones, on small whole numbers and others.
