@@ -202,11 +202,11 @@ ProbeFinding normals(Subject<Real>& subject) {
                    measured);
   };
   // A normal of 0 has no direction, and its angle is pi.
-  const std::size_t place = *first_measure(subject.predicate(), kind),
-                    zeros = count([&](const JudgedContact<Real>& one) {
-                      return std::ranges::all_of(std::span(one.measures).subspan(place, 3),
-                                                 [](double x) { return x == 0; });
-                    });
+  const std::size_t place = *first_measure(subject.predicate(), kind);
+  const auto is_zero = [&](const JudgedContact<Real>& one) {
+    return std::ranges::all_of(std::span(one.measures).subspan(place, 3), [](double x) { return x == 0; });
+  };
+  const std::size_t zeros = count(is_zero);
   if (zeros != 0 && holds_on_most(all.size() - (wrong - zeros), all.size()))
     return found(Normals::not_normalised,
                  fmt::format("{} of {} normals on clear queries are 0, which is no direction.", zeros, all.size()));
@@ -233,7 +233,11 @@ ProbeFinding normals(Subject<Real>& subject) {
         Normals::not_normalised,
         fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
   // Few directions may be far off for rounding, where the exact one is of a short vector; no length, and no side.
-  const auto is_flip = [](const JudgedContact<Real>& one) { return one.found.pushed && one.found.pushed->is_flip; };
+  const auto is_flip = [&](const JudgedContact<Real>& one) {
+    if (one.found.pushed) return one.found.pushed->is_flip;
+    return one.exact.separation.value_or(0) > 0 && one.found.normal_angle.value_or(0) > std::numbers::pi / 2 &&
+           !is_zero(one);
+  };
   if (const std::size_t flips = count(is_flip); flips != 0)
     return found(Normals::wrong,
                  fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()));
