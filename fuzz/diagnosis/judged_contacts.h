@@ -22,9 +22,9 @@
 namespace axiscert::diagnosis::contacts {
 
 constexpr std::size_t most_queries = 1024;
-// Of each family, where the others show nothing wrong.
+// Of each verdict of each family, where the others show nothing wrong.
 constexpr std::size_t most_of_family = 16;
-constexpr std::uint64_t positions_of_family = 64;
+constexpr std::uint64_t positions_of_family = 128;
 
 // The size of ordinary rounding, in shares of the scene and in radians.
 template <class Real>
@@ -79,13 +79,15 @@ std::vector<JudgedContact<Real>> judged_queries(Subject<Real>& subject) {
 template <class Real>
 std::vector<JudgedContact<Real>> judged_of_families(Subject<Real>& subject) {
   const Kernel& kernel = subject.kernel();
-  Queries<Real> queries;
+  Queries<Real>& queries = subject.queries_of_families();
   if (is_of_motions(*kernel.predicate)) return {};
-  for (const Family* family : families_of(*kernel.predicate, kernel.entry)) {
-    const std::size_t most = queries.size() + most_of_family;
-    for (std::uint64_t position = 0; position < positions_of_family && queries.size() < most; ++position) {
+  for (const Family* family : queries.empty() ? all_families_of(*kernel.predicate) : std::vector<const Family*>()) {
+    std::size_t contacts = 0, others = 0;
+    for (std::uint64_t position = 0; family->entry == kernel.entry && position < positions_of_family; ++position) {
       const Numbers<Real> query = family->make<Real>(subject.seed(), position);
-      if (oracles_of(kernel).clear_verdict(query) && is_promised(kernel, query)) queries.push_back(query);
+      const std::optional<Verdict> verdict = oracles_of(kernel).clear_verdict(query);
+      if (!verdict || !is_promised(kernel, query)) continue;
+      if ((*verdict == Verdict::contact ? contacts : others)++ < most_of_family) queries.push_back(query);
     }
   }
   return judged(subject, queries, true);

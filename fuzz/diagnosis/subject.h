@@ -86,6 +86,8 @@ class Subject {
   }
   // By clear query: each probe of these numbers asks for them again, and a judgement is dearer than a hundred answers.
   std::vector<JudgedContact<Real>>& judged_contacts(bool of_families) { return judged_contacts_[of_families]; }
+  // The clear ones of every family, once they were made.
+  Queries<Real>& queries_of_families() { return queries_of_families_; }
   // Answers that others asked the kernel for.
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
@@ -129,6 +131,7 @@ class Subject {
   AnswerCounter<Real> counter_;
   LookedAt looked_at_;
   std::array<std::vector<JudgedContact<Real>>, 2> judged_contacts_;
+  Queries<Real> queries_of_families_;
   std::uint64_t asked_ = 0, left_out_ = 0, place_ = 0;
 };
 
