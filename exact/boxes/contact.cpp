@@ -195,13 +195,23 @@ double ExactContact::share_of(const Rational& squared) const {
                   std::numeric_limits<double>::denorm_min());
 }
 
-// As a difference of squares, in which nothing cancels.
-Rational ExactContact::mismatch(const Point& a, const Point& b, bool turned) const {
+Rational ExactContact::rest_after(const Point& way) const {
+  const Point in_units = way * unit_;
+  std::optional<Rational> least;
+  for (const Push& push : pushes_) {
+    Rational rest = (push.rest - dot(push.along, in_units)) / root_below(push.squared_length);
+    if (!least || rest < *least) least = std::move(rest);
+  }
+  return *least / unit_;
+}
+
+Rational ExactContact::mismatch(const Point& a, const Point& b, bool any_way) const {
   const Point between = a - b;
   const Rational apart = dot(between, between);
-  if (turned) return root_below(apart) + root_below(squared_);
-  if (apart == squared_) return 0;
-  return abs(Rational(apart - squared_)) / (root_below(apart) + root_below(squared_));
+  Rational longer = 0;  // as a difference of squares, in which nothing cancels
+  if (apart != squared_) longer = (apart - squared_) / (root_below(apart) + root_below(squared_));
+  // What a push leaves is no less than what it is shorter.
+  return is_apart_ || any_way ? Rational(abs(longer)) : std::max(longer, rest_after(between));
 }
 
 }  // namespace axiscert::boxes

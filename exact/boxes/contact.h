@@ -75,14 +75,17 @@ class ExactContact {
   Rational squared_distance_from_a(const Point& p) const { return in_squares(squared_distance({p * unit_}, a_)); }
   Rational squared_distance_from_b(const Point& p) const { return in_squares(squared_distance({p * unit_}, b_)); }
 
-  // | |a - b| - |separation| |, relatively to 2^-240; with |a - b| as negative where `turned`.
-  Rational mismatch(const Point& a, const Point& b, bool turned = false) const;
+  // Of points of the bodies 0 exactly where a push of the second by a - b is one of the shortest that part them, or,
+  // of bodies apart, where none are nearer. Else by how much that push is longer than the penetration, or how much of
+  // it is left then, whichever is more; or | |a - b| - distance |. Relatively to 2^-240. `any_way`: the length alone
+  // counts.
+  Rational mismatch(const Point& a, const Point& b, bool any_way = false) const;
 
   // The two distances and the mismatch as shares of the scene, rounded; 0 in a scene of one point.
   double share_outside_of_a(const Point& p) const { return share_of(squared_distance_from_a(p)); }
   double share_outside_of_b(const Point& p) const { return share_of(squared_distance_from_b(p)); }
-  double share_of_mismatch(const Point& a, const Point& b, bool turned) const {
-    const Rational off = mismatch(a, b, turned);
+  double share_of_mismatch(const Point& a, const Point& b, bool any_way) const {
+    const Rational off = mismatch(a, b, any_way);
     return share_of(off * off);
   }
 
@@ -98,6 +101,8 @@ class ExactContact {
   void find_in_contact();
   std::optional<NearestPair> touching_points() const;
   const Push& least() const { return pushes_[least_]; }
+  // The penetration, below 0 where there is none, once the second body is pushed by `way`; relatively to 2^-240.
+  Rational rest_after(const Point& way) const;
   // That of one push, relatively to 2^-240: a sum of two shares that are not negative. The first alone is above `share`
   // where the push is longer than 1 + share times the least.
   Rational approximate_left(const Push& push, const Point& n) const;

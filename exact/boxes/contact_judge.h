@@ -36,9 +36,15 @@ class BodyContactJudge final : public ContactJudge {
     if (!exact_) exact_ = find_();
     return *exact_;
   }
+  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
+  // is taken for that leaves at most a sixteenth of a depth of 128 u.
+  bool has_clear_sides() const {
+    const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
+    return exact().squared_sides() > clear * clear * exact().squared_scene();
+  }
   void measure_separation(Verdict said, double separation, ContactJudgement& out) const;
   void measure_normal(const Point& normal, ContactJudgement& out) const;
-  void measure_points(const Point& a, const Point& b, const std::optional<Point>& normal, ContactJudgement& out) const;
+  void measure_points(const Point& a, const Point& b, ContactJudgement& out) const;
 
   std::function<Exact()> find_;
   mutable std::optional<Exact> exact_;
@@ -69,23 +75,18 @@ void BodyContactJudge<Real, Exact>::measure_normal(const Point& normal, ContactJ
   }
   const bool is_backwards =
       std::ranges::all_of(exact().normals(), [&](const Point& right) { return sgn(Rational(dot(normal, right))) < 0; });
-  // An overlap is computed to 8 u of the scene, and what is along a normal from centre to centre to 4 u: a normal that
-  // is taken for that leaves at most a sixteenth of a depth of 128 u.
-  const Rational clear(mpz_class(1), mpz_class(1) << (std::numeric_limits<Real>::digits - 7));
-  const bool is_clear = exact().squared_sides() > clear * clear * exact().squared_scene();
   const Decimal6 left = exact().left(normal);
-  out.pushed = Pushed{left, is_backwards && is_clear && axiscert::exact(left) * most_left > 1};
+  out.pushed = Pushed{left, is_backwards && has_clear_sides() && axiscert::exact(left) * most_left > 1};
 }
 
-// Points of their bodies that are as far apart as the separation, along the normal, are the exact ones where these are
-// the only ones. Their distance from those is no figure: of two faces that are parallel but for a rounding it is any.
+// Points of their bodies that a shortest push brings together, or that are as far apart as the bodies, are the exact
+// ones where these are the only ones; the normal that is given has no part in it. Their distance from those is no
+// figure: of two faces that are parallel but for a rounding it is any.
 template <class Real, class Exact>
-void BodyContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, const std::optional<Point>& normal,
-                                                   ContactJudgement& out) const {
+void BodyContactJudge<Real, Exact>::measure_points(const Point& a, const Point& b, ContactJudgement& out) const {
   out.point_a_error = exact().share_outside_of_a(a);
   out.point_b_error = exact().share_outside_of_b(b);
-  const int along = normal ? sgn(Rational(dot(b - a, *normal))) : 0;
-  out.points_apart = exact().share_of_mismatch(a, b, along == (exact().is_apart() ? -1 : 1));
+  out.points_apart = exact().share_of_mismatch(a, b, !has_clear_sides());
 }
 
 template <class Real, class Exact>
@@ -100,17 +101,15 @@ ContactJudgement BodyContactJudge<Real, Exact>::judge(Verdict said, std::span<co
     if (std::isfinite(measures[separation_measure])) measure_separation(said, measures[separation_measure], out);
     else out.lacks_separation = is_asked;
   }
-  std::optional<Point> normal;
   if (gives(normal_measure, 3)) {
-    normal = axiscert::vector_at(measures, normal_measure);
-    if (normal) measure_normal(*normal, out);
+    if (const auto normal = axiscert::vector_at(measures, normal_measure)) measure_normal(*normal, out);
     else out.lacks_normal = is_asked;
     out.has_right_normal = is_asked && (exact().is_deep() || exact().only_normal());
     out.lacks_push = out.lacks_normal && exact().is_deep();
   }
   if (gives(point_b_measure, 3)) {
     const auto a = axiscert::vector_at(measures, point_a_measure), b = axiscert::vector_at(measures, point_b_measure);
-    if (a && b) measure_points(*a, *b, normal, out);
+    if (a && b) measure_points(*a, *b, out);
     else out.lacks_point = is_asked;
   }
   const bool lacks = out.lacks_separation || out.lacks_normal || out.lacks_point;

@@ -53,6 +53,7 @@ TEST(BodyContactJudge, FindsEachFault) {
   EXPECT_TRUE(flipped.pushed->is_flip);
   EXPECT_EQ(flipped.pushed->left.text(), "2");
   EXPECT_EQ(flipped.normal_angle, std::numbers::pi);
+  EXPECT_EQ(flipped.points_apart, 0) << "its points are as right as they were";
   const ContactJudgement across = changed([](Said& n) { n[3] = 0, n[1] = 1; });
   EXPECT_FALSE(across.pushed->is_flip) << "at a right angle";
   EXPECT_EQ(across.pushed->left.text(), "1");
@@ -67,7 +68,12 @@ TEST(BodyContactJudge, FindsEachFault) {
   EXPECT_EQ(none.normal_angle, std::numbers::pi);
   const ContactJudgement swapped = changed([](Said& n) { std::swap_ranges(&n[4], &n[7], &n[7]); });
   EXPECT_EQ(swapped.point_a_error, 0) << "within A";
-  EXPECT_NEAR(*swapped.points_apart, 0.25 / scene, 1e-15) << "against the normal";
+  EXPECT_NEAR(*swapped.points_apart, 0.25 / scene, 1e-15) << "all of the depth is left, twice";
+  const ContactJudgement both = changed([](Said& n) { n[3] = -1, std::swap_ranges(&n[4], &n[7], &n[7]); });
+  EXPECT_EQ(both.points_apart, swapped.points_apart) << "a normal that fits them makes them no better";
+  const ContactJudgement sideways = changed([](Said& n) { n[4] = 0.625, n[6] = n[9] = 0.9375; });
+  EXPECT_EQ(sideways.point_a_error, 0);
+  EXPECT_NEAR(*sideways.points_apart, 0.125 / scene, 1e-15) << "as far apart as the depth, and nothing is gained";
   EXPECT_NEAR(*changed([](Said& n) { n[6] = 1.25; }).point_a_error, 0.25 / scene, 1e-15);
   EXPECT_NEAR(*changed([](Said& n) { n[6] = 0.9375; }).points_apart, 0.0625 / scene, 1e-15);
 }
@@ -96,6 +102,8 @@ TEST(BodyContactJudge, JudgesDistances) {
   EXPECT_EQ(found.normal_angle, 0);
   EXPECT_FALSE(found.pushed) << "there is no penetration";
   EXPECT_EQ(found.points_apart, 0);
+  for (std::size_t k = 1; k < 4; ++k) numbers[k] *= -1;
+  EXPECT_EQ(judged(far_apart, Verdict::separated, numbers).points_apart, 0) << "whatever the normal";
   numbers[7] = 3.5;
   EXPECT_GT(*judged(far_apart, Verdict::separated, numbers).points_apart, 0.02);
   const auto place = oracles_of(box_box_predicate()).contact_judge(numbers_of(far_apart))->place();
@@ -113,6 +121,10 @@ TEST(BodyContactJudge, NoSideIsAFlipWhereBothAreAsDeep) {
   for (const Said& said : {down, up}) {
     EXPECT_TRUE(judged(q, Verdict::contact, said).pushed->left.is_zero());
     EXPECT_FALSE(judged(q, Verdict::contact, said).normal_angle) << "there are two";
+    EXPECT_EQ(judged(q, Verdict::contact, said).points_apart, 0);
+    Said other = said;
+    other[3] *= -1;
+    EXPECT_EQ(judged(q, Verdict::contact, other).points_apart, 0) << "points of the one, normal of the other";
   }
   q.a.half[2] = q.b.half[2] = 0x1p-60;
   q.b.centre.z = 0x1p-61;

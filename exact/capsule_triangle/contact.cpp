@@ -74,19 +74,21 @@ bool ExactContact::is_right(const RationalPoint& n) const {
   return std::ranges::all_of(corner_, [&](const RationalPoint& corner) { return dot(corner, n) >= reach; });
 }
 
+Rational ExactContact::rest_after(const RationalPoint& way) const {
+  std::array<RationalPoint, 3> pushed = corner_;
+  for (RationalPoint& corner : pushed) corner = corner + way;
+  const boxes::ExactContact after(as_box(end_, pushed));
+  const Rational &squared = after.squared_separation(), root = root_below(squared);
+  // r - d without a difference of roots.
+  return after.is_apart() ? Rational((r_ * r_ - squared) / (r_ + root)) : Rational(r_ + root);
+}
+
 Decimal6 ExactContact::left(const RationalPoint& n) const {
   if (is_right(n)) return {};
   const Rational depth = approximate_magnitude({r_, squared_sides(), segment_.is_apart() ? -1 : 1});
   // Both roots and the depth are relatively within 2^-240: so the place is within 2^-238 of the depth, and how far the
   // segment and the triangle are apart, or in each other, is too.
-  const RationalPoint way = n * Rational(depth / root_below(square_of(n)));
-  std::array<RationalPoint, 3> pushed = corner_;
-  for (RationalPoint& corner : pushed) corner = corner + way;
-  const boxes::ExactContact after(as_box(end_, pushed));
-  const Rational& squared = after.squared_separation();
-  // r - d without a difference of roots.
-  const Rational rest = after.is_apart() ? Rational((r_ * r_ - squared) / (r_ + root_below(squared)))
-                                         : Rational(r_ + root_below(squared));
+  const Rational rest = rest_after(n * Rational(depth / root_below(square_of(n))));
   const Rational off(mpz_class(1), mpz_class(1) << 230);
   return round_up(std::max(Rational(rest / depth - off), off));
 }
@@ -105,14 +107,17 @@ double ExactContact::share_outside_of_b(const RationalPoint& p) const {
   return share_of(root_below(boxes::squared_distance(boxes::Hull{p}, boxes::hull_of(corner_))));
 }
 
-// | +-|a - b| - |root - less| |
-double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool turned) const {
+// As of two boxes, with |a - b| - |root - less|.
+double ExactContact::share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool any_way) const {
   const boxes::RootLess right = separation(0);
   const Rational sign = compare({-right.less, right.squared}, 0) < 0 ? -1 : 1;
-  const RootTerm between{turned ? -1 : 1, square_of(a - b)}, root{-sign, right.squared}, less{sign * right.less};
-  if (sign_of_sum(between, root, less) == 0) return 0;
-  const Rational off =
-      between.factor * root_below(between.square) + root.factor * root_below(root.square) + less.factor;
+  const RootTerm between{1, square_of(a - b)}, root{-sign, right.squared}, less{sign * right.less};
+  const bool is_length = is_apart() || any_way;
+  const Rational rest = is_length ? Rational(0) : rest_after(a - b);
+  const int is_longer = sign_of_sum(between, root, less);
+  if (is_longer == 0 && rest <= 0) return 0;
+  const Rational longer = root_below(between.square) + root.factor * root_below(root.square) + less.factor,
+                 off = is_length ? Rational(abs(longer)) : std::max(longer, rest);
   // The roots may be alike to all of their 240 bits.
   return off == 0 ? std::numeric_limits<double>::denorm_min() : share_of(abs(off));
 }

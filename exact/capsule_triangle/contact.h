@@ -52,10 +52,12 @@ class ExactContact {
   // difference it is.
   double share_outside_of_a(const RationalPoint& p) const;
   double share_outside_of_b(const RationalPoint& p) const;
-  double share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool turned) const;
+  double share_of_mismatch(const RationalPoint& a, const RationalPoint& b, bool any_way) const;
 
  private:
   bool is_right(const RationalPoint& n) const;
+  // The penetration, below 0 where there is none, once the triangle is pushed by `way`; relatively to 2^-239.
+  Rational rest_after(const RationalPoint& way) const;
   double share_of(const Rational& length) const;
 
   std::array<RationalPoint, 2> end_;

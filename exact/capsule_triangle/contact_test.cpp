@@ -82,6 +82,7 @@ TEST(CapsuleContact, EachFaultHasItsFigure) {
   const ContactJudgement flipped = changed([](Said& n) { n[3] = 1; });
   EXPECT_TRUE(flipped.pushed->is_flip);
   EXPECT_EQ(flipped.pushed->left.text(), "2");
+  EXPECT_EQ(flipped.points_apart, 0) << "the points are right whatever the normal";
   EXPECT_NEAR(changed([](Said& n) { n[1] = 1e-3; }).normal_angle.value(), 1e-3, 1e-9);
   EXPECT_EQ(changed([](Said& n) { n[3] = -2; }).normal_length_error, 1);
   EXPECT_NEAR(changed([](Said& n) { n[0] = -1.005; }).separation->length, 0.005, 1e-15);
@@ -109,6 +110,11 @@ TEST(CapsuleContact, EveryRightChoiceLeavesNothing) {
     EXPECT_EQ(found.point_b_error, 0);
   }
   EXPECT_FALSE(ExactContact(along).only_points());
+  Query on = above;  // a rounding above the face: the normal is anything, and so is the capsule's point
+  on.p = {0, 0, 0x1p-60};
+  EXPECT_LT(judged(on, Verdict::contact, {-4, 0, 1, 0, 0, 4, 0, 0, 0, 0}).points_apart, 1e-15);
+  on.p.z = 1;
+  EXPECT_GT(judged(on, Verdict::contact, {-3, 0, 1, 0, 0, 3, 0, 0, 0, 0}).points_apart, 0.1) << "which is no rounding";
 }
 
 // The float numbers of the kernel against the exact ones, on small whole numbers and others.

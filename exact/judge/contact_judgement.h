@@ -84,7 +84,8 @@ struct ContactJudgement {
   // There for a normal where the depth is above 0. One of length 0 leaves all of it; beside a sphere whose centre is on
   // the triangle it counts as none.
   std::optional<Pushed> pushed;
-  // How far each of two points, one of each body, is from its body, and their distance from |separation|.
+  // How far each of two points, one of each body, is from its body; and how far a push that brings them together is
+  // from the shortest that parts the bodies, or of bodies apart their distance from the least.
   std::optional<double> point_a_error, point_b_error, points_apart;
 
   // Empty where not given.

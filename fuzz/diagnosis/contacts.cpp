@@ -3,56 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
+#include "fuzz/diagnosis/judged_contacts.h"
 #include "fuzz/diagnosis/probes.h"
-#include "fuzz/diagnosis/scenes.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build
 
-constexpr std::size_t most_queries = 1024, fewest_judged = 32;
+constexpr std::size_t fewest_judged = 32;
 // A rule holds on so many of a hundred queries.
 constexpr std::size_t percent = 95;
-
-// The size of ordinary rounding, in shares of the scene and in radians.
-template <class Real>
-constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
-
-template <class Real>
-std::vector<JudgedContact<Real>> judged_queries(Subject<Real>& subject) {
-  const Kernel& kernel = subject.kernel();
-  const Oracles& oracles = oracles_of(kernel);
-  Queries<Real> queries;
-  for (const auto& clear : clear_queries<Real>(kernel, most_queries)) {
-    if (is_promised(kernel, clear.numbers)) queries.push_back(clear.numbers);
-  }
-  std::vector<JudgedContact<Real>> all;
-  if (queries.empty()) return all;
-  const Reply<Real> reply = subject.ask_measures(queries);
-  std::vector<JudgedContact<Real>>& known = subject.judged_contacts();
-  known.resize(queries.size());
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const Verdict said = reply.verdicts[i];
-    if (!has_judged_contact(kernel, said, [&] { return oracles.truth(queries[i]); })) continue;
-    std::vector<double> measures = reply.measures(i);
-    if (!known[i].is_of(said, measures)) {
-      const auto judge = oracles.contact_judge(queries[i]);
-      if (judge == nullptr) continue;
-      JudgedContact<Real> one{queries[i], Numbers<double>(queries[i].size()), said, std::move(measures), {}, {}};
-      for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
-      one.found = judge->judge(said, one.measures);
-      one.exact = judge->place();
-      known[i] = std::move(one);
-    }
-    if (!known[i].found.missed) all.push_back(known[i]);
-  }
-  return all;
-}
 
 bool holds_on_most(std::size_t count, std::size_t all) { return 100 * count >= percent * all; }
 
@@ -127,22 +91,32 @@ ProbeFinding separations(Subject<Real>& subject) {
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const std::size_t place = *first_measure(subject.predicate(), kind);
   const auto given = [&](const JudgedContact<Real>& one) { return one.measures[place]; };
-  const auto is_wrong = [](const JudgedContact<Real>& one) { return one.found.separation->share > small<Real>; };
+  const auto is_wrong = [](const JudgedContact<Real>& one) {
+    return one.found.separation->share > small<Real> * one.reach;
+  };
   const auto count = [&](auto&& holds) { return static_cast<std::size_t>(std::ranges::count_if(all, holds)); };
   const auto shown =
       std::ranges::max_element(all, {}, [](const JudgedContact<Real>& one) { return one.found.separation->share; });
   const std::size_t wrong = count(is_wrong);
   const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", shown->found.separation->share}};
-  const auto found = [&](Separations value, std::string sentence, Json numbers) {
-    return decided(
-        value, std::move(sentence),
-        witness_of(subject, *shown, fmt::format("separation {}, exact {}", given(*shown), *shown->exact.separation)),
-        std::move(numbers));
+  const auto shows = [&](const JudgedContact<Real>& one) {
+    return witness_of(subject, one, fmt::format("separation {}, exact {}", given(one), *one.exact.separation));
   };
-  if (wrong == 0)
-    return decided(Separations::right,
-                   fmt::format("Its separations are right but for rounding on {} clear queries.", all.size()), {},
-                   measured);
+  const auto found = [&](Separations value, std::string sentence, Json numbers) {
+    return decided(value, std::move(sentence), shows(*shown), std::move(numbers));
+  };
+  if (wrong == 0) {
+    const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
+      if (!one.found.separation || !one.exact.separation) return std::nullopt;
+      return is_wrong(one) ? one.found.separation->share : 0;
+    });
+    if (others.shown)
+      return decided(Separations::wrong, others.text("Its separations are"), shows(*others.shown), others.measured());
+    return decided(
+        Separations::right,
+        fmt::format("Its separations are right but for rounding on {} clear queries.", all.size() + others.of), {},
+        measured);
+  }
   const auto is_apart = [](const JudgedContact<Real>& one) { return *one.exact.separation > 0; };
   const std::size_t apart = count(is_apart),
                     above = count([&](const JudgedContact<Real>& one) { return given(one) > 0; });
@@ -227,11 +201,11 @@ ProbeFinding normals(Subject<Real>& subject) {
                    measured);
   };
   // A normal of 0 has no direction, and its angle is pi.
-  const std::size_t place = *first_measure(subject.predicate(), kind),
-                    zeros = count([&](const JudgedContact<Real>& one) {
-                      return std::ranges::all_of(std::span(one.measures).subspan(place, 3),
-                                                 [](double x) { return x == 0; });
-                    });
+  const std::size_t place = *first_measure(subject.predicate(), kind);
+  const auto is_zero = [&](const JudgedContact<Real>& one) {
+    return std::ranges::all_of(std::span(one.measures).subspan(place, 3), [](double x) { return x == 0; });
+  };
+  const std::size_t zeros = count(is_zero);
   if (zeros != 0 && holds_on_most(all.size() - (wrong - zeros), all.size()))
     return found(Normals::not_normalised,
                  fmt::format("{} of {} normals on clear queries are 0, which is no direction.", zeros, all.size()));
@@ -258,7 +232,11 @@ ProbeFinding normals(Subject<Real>& subject) {
         Normals::not_normalised,
         fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
   // Few directions may be far off for rounding, where the exact one is of a short vector; no length, and no side.
-  const auto is_flip = [](const JudgedContact<Real>& one) { return one.found.pushed && one.found.pushed->is_flip; };
+  const auto is_flip = [&](const JudgedContact<Real>& one) {
+    if (one.found.pushed) return one.found.pushed->is_flip;
+    return one.exact.separation.value_or(0) > 0 && one.found.normal_angle.value_or(0) > std::numbers::pi / 2 &&
+           !is_zero(one);
+  };
   if (const std::size_t flips = count(is_flip); flips != 0)
     return found(Normals::wrong,
                  fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()));
@@ -269,6 +247,22 @@ ProbeFinding normals(Subject<Real>& subject) {
                                "{:.3g} of 1.",
                                count([&](const auto& one) { return length(one) > small<Real>; }), all.size(), most),
                    witness_of(subject, *longest, fmt::format("the normal's length is {:.3g} off", most)), measured);
+  std::size_t turned = 0;
+  const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
+    if (!one.found.normal_length_error) return std::nullopt;
+    turned += is_flip(one);
+    if (is_flip(one)) return 2;
+    return length(one) > small<Real> ? length(one) : 0;
+  });
+  if (others.shown)
+    return decided(
+        turned != 0 ? Normals::wrong : Normals::not_normalised,
+        fmt::format("Its normals are right but for rounding on clear queries of one family. Of {} of all "
+                    "families {} go to the other side, and {} are longer or shorter than 1.",
+                    others.of, turned, others.wrong - turned),
+        witness_of(subject, *others.shown,
+                   turned != 0 ? "the normal goes to the other side" : "the normal is longer or shorter than 1"),
+        others.measured());
   return decided(
       Normals::right,
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
@@ -297,10 +291,28 @@ ProbeFinding features(Subject<Real>& subject) {
       shown = &one;
   }
   const Json measured = {{"wrong", wrong}, {"of", all.size()}};
-  if (shown == nullptr)
-    return decided(Features::right, fmt::format("It names a part that is nearest on all {} clear queries.", all.size()),
-                   {}, measured);
-  const auto witnesses = witness_of(subject, *shown, fmt::format("the feature is {}", shown->measures[place]));
+  const auto shows = [&](const JudgedContact<Real>& one) {
+    return witness_of(subject, one, fmt::format("the feature is {}", one.measures[place]));
+  };
+  if (shown == nullptr) {
+    // Between two parts a rounding decides.
+    const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
+      if (!one.found.feature_is_right) return std::nullopt;
+      const double off = *one.found.feature_is_right ? 0 : one.found.feature_error.value_or(0);
+      return off > coarse<Real> * one.reach ? off : 0;
+    });
+    if (others.shown)
+      return decided(
+          Features::wrong,
+          fmt::format(
+              "It names a part that is not nearest on {} of {} clear queries of all families, and on none of one.",
+              others.wrong, others.of),
+          shows(*others.shown), {{"wrong", others.wrong}, {"of", others.of}});
+    return decided(Features::right,
+                   fmt::format("It names a part that is nearest on all {} clear queries.", all.size() + others.of), {},
+                   measured);
+  }
+  const auto witnesses = shows(*shown);
   if (said.size() == 1)
     return decided(Features::one_part,
                    fmt::format("It says {} whatever is nearest: wrong on {} of {} clear queries.", said.begin()->first,
@@ -327,19 +339,30 @@ ProbeFinding contact_points(Subject<Real>& subject) {
     return std::max(
         {off, found.point_a_error.value_or(0), found.point_b_error.value_or(0), found.points_apart.value_or(0)});
   };
-  subject.leave_out(std::erase_if(all, [&](const JudgedContact<Real>& one) {
-    return has_pair ? !one.found.point_b_error : !one.found.point_error;
-  }));
+  const auto is_given = [&](const JudgedContact<Real>& one) {
+    return has_pair ? one.found.point_b_error.has_value() : one.found.point_error.has_value();
+  };
+  subject.leave_out(std::erase_if(all, [&](const JudgedContact<Real>& one) { return !is_given(one); }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
   const auto is_wrong = [&](const JudgedContact<Real>& one) { return error(one) > small<Real>; };
   const auto wrong = static_cast<std::size_t>(std::ranges::count_if(all, is_wrong));
   const auto shown = std::ranges::max_element(all, {}, error);
   const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", error(*shown)}};
-  if (wrong == 0)
-    return decided(Points::right, fmt::format("Its points are right but for rounding on {} clear queries.", all.size()),
+  const auto shows = [&](const JudgedContact<Real>& one) {
+    return witness_of(subject, one, fmt::format("the point is {:.3g} of the scene off", error(one)));
+  };
+  if (wrong == 0) {
+    const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
+      if (!is_given(one)) return std::nullopt;
+      return error(one) > coarse<Real> * one.reach ? error(one) : 0;
+    });
+    if (others.shown)
+      return decided(Points::wrong, others.text("Its points are"), shows(*others.shown), others.measured());
+    return decided(Points::right,
+                   fmt::format("Its points are right but for rounding on {} clear queries.", all.size() + others.of),
                    {}, measured);
-  const auto witnesses =
-      witness_of(subject, *shown, fmt::format("the point is {:.3g} of the scene off", error(*shown)));
+  }
+  const auto witnesses = shows(*shown);
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
     return decided(enumerator_named<Points>(like->value).value(),
                    fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,

@@ -71,6 +71,27 @@ TEST(ContactProbes, NameANormalThatIsOffNowAndThen) {
   EXPECT_EQ(value("few-zero", 0, 1), "not_normalised");
 }
 
+// Random triangles are never level: the clear queries by which rules are found show nothing of these.
+TEST(ContactProbes, NameAFaultOfLevelTrianglesAlone) {
+  const auto on_level = [](const char* name, void (*change)(MeasureColumns&, std::size_t)) {
+    return said_of(with_edit(find_kernel("minkowski"), name,
+                             [change](MeasureColumns& m, const QueryColumns<float>& q, std::size_t i) {
+                               const float height = q.column[2][i];
+                               if (q.column[5][i] == height && q.column[8][i] == height) change(m, i);
+                             }));
+  };
+  using Said = std::map<std::string, std::string>;
+  EXPECT_EQ(on_level("half", [](MeasureColumns& m, std::size_t i) { m[0][i] *= 0.5f; }),
+            (Said{{"separation", "wrong"}}));
+  EXPECT_EQ(on_level("other-part", [](MeasureColumns& m, std::size_t i) { m[1][i] = m[1][i] == 0 ? 1.0f : 0.0f; }),
+            (Said{{"feature", "wrong"}}));
+  EXPECT_EQ(on_level("turned", [](MeasureColumns& m, std::size_t i) { m[4][i] *= -1; }), (Said{{"normal", "wrong"}}));
+  EXPECT_EQ(on_level("long", [](MeasureColumns& m, std::size_t i) { m[4][i] *= 2; }),
+            (Said{{"normal", "not_normalised"}}));
+  EXPECT_EQ(on_level("moved", [](MeasureColumns& m, std::size_t i) { m[7][i] *= 1.5f, m[7][i] += 0.5f; }),
+            (Said{{"contact_point", "wrong"}}));
+}
+
 TEST(ContactProbes, TellTheSizeOfAMargin) {
   const DiagnosisOptions options;
   const Kernel& right = find_kernel("minkowski");

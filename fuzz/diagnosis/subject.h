@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -36,6 +37,7 @@ struct JudgedContact {
   std::vector<double> measures;
   ContactJudgement found;
   ContactPlace exact;
+  double reach = 1;  // the query's greatest coordinate or length as a share of the scene, at least 1
 
   // A NaN has several representations, none of which is judged otherwise.
   bool is_of(Verdict verdict, const std::vector<double>& given) const {
@@ -83,7 +85,9 @@ class Subject {
     return said;
   }
   // By clear query: each probe of these numbers asks for them again, and a judgement is dearer than a hundred answers.
-  std::vector<JudgedContact<Real>>& judged_contacts() { return judged_contacts_; }
+  std::vector<JudgedContact<Real>>& judged_contacts(bool of_families) { return judged_contacts_[of_families]; }
+  // The clear ones of every family, once they were made.
+  Queries<Real>& queries_of_families() { return queries_of_families_; }
   // Answers that others asked the kernel for.
   void count(std::uint64_t answers) { asked_ += answers; }
   // The answers of the kernel that were counted since the last call.
@@ -126,7 +130,8 @@ class Subject {
   Implementation<Real> implementation_;
   AnswerCounter<Real> counter_;
   LookedAt looked_at_;
-  std::vector<JudgedContact<Real>> judged_contacts_;
+  std::array<std::vector<JudgedContact<Real>>, 2> judged_contacts_;
+  Queries<Real> queries_of_families_;
   std::uint64_t asked_ = 0, left_out_ = 0, place_ = 0;
 };
 

@@ -319,14 +319,14 @@ struct PointTally {
   }
 };
 
-// How far the distance of the two points is from |separation|.
+// How far a push by the way between the two points is from the shortest, or their distance from that of the bodies.
 struct PointsTally {
   std::uint64_t judged = 0;
   Leaders<double> largest_error;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
-        field(&PointsTally::judged, {"judged", "Answers with both points and a separation."}),
+        field(&PointsTally::judged, {"judged", "Answers with both points."}),
         field(&PointsTally::largest_error,
               figure_of("judged", "largest_error", "Greatest difference, relative to the scene.", "of the scene")));
   }

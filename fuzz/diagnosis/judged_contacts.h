@@ -1,0 +1,128 @@
+// The numbers that a kernel gives beside its verdicts, judged on clear queries: of one family, by which their rules are
+// found, and of all.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fuzz/diagnosis/other_units.h"
+#include "fuzz/diagnosis/scenes.h"
+#include "fuzz/diagnosis/subject.h"
+#include "fuzz/queries/family.h"
+#include "fuzz/text/json.h"
+
+namespace axiscert::diagnosis::contacts {
+
+constexpr std::size_t most_queries = 1024;
+// Of each verdict of each family, where the others show nothing wrong.
+constexpr std::size_t most_of_family = 16;
+constexpr std::uint64_t positions_of_family = 128;
+
+// The size of ordinary rounding, in shares of the scene and in radians.
+template <class Real>
+constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
+
+// The same for directions and points where a triangle, or what two edges have in common, is thin: an error of a small
+// length h moves the nearest point of a convex body at the distance d by up to sqrt(2 h d).
+template <class Real>
+const double coarse = 16 * std::sqrt(static_cast<double>(std::numeric_limits<Real>::epsilon()));
+
+template <class Real>
+std::vector<JudgedContact<Real>> judged(Subject<Real>& subject, const Queries<Real>& queries, bool of_families) {
+  const Kernel& kernel = subject.kernel();
+  const Oracles& oracles = oracles_of(kernel);
+  std::vector<JudgedContact<Real>> all;
+  if (queries.empty()) return all;
+  const std::vector<std::size_t> lengths = unit_of_length(kernel).columns;
+  const Reply<Real> reply = subject.ask_measures(queries);
+  std::vector<JudgedContact<Real>>& known = subject.judged_contacts(of_families);
+  known.resize(queries.size());
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const Verdict said = reply.verdicts[i];
+    if (!has_judged_contact(kernel, said, [&] { return oracles.truth(queries[i]); })) continue;
+    std::vector<double> measures = reply.measures(i);
+    if (!known[i].is_of(said, measures)) {
+      const auto judge = oracles.contact_judge(queries[i]);
+      if (judge == nullptr) continue;
+      JudgedContact<Real> one{queries[i], Numbers<double>(queries[i].size()), said, std::move(measures), {}, {}};
+      for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
+      one.found = judge->judge(said, one.measures);
+      one.exact = judge->place();
+      for (const std::size_t k : lengths) one.reach = std::max(one.reach, std::fabs(one.wide[k]) / judge->scene());
+      known[i] = std::move(one);
+    }
+    if (!known[i].found.missed) all.push_back(known[i]);
+  }
+  return all;
+}
+
+template <class Real>
+std::vector<JudgedContact<Real>> judged_queries(Subject<Real>& subject) {
+  const Kernel& kernel = subject.kernel();
+  Queries<Real> queries;
+  for (const auto& clear : clear_queries<Real>(kernel, most_queries)) {
+    if (is_promised(kernel, clear.numbers)) queries.push_back(clear.numbers);
+  }
+  return judged(subject, queries, false);
+}
+
+// Clear queries of every family: a fault of few scenes, such as those of boxes along the axes, of deep ones or of small
+// ones, may be on none of the others. Not of motions, whose numbers are far off for rounding where they graze.
+template <class Real>
+std::vector<JudgedContact<Real>> judged_of_families(Subject<Real>& subject) {
+  const Kernel& kernel = subject.kernel();
+  Queries<Real>& queries = subject.queries_of_families();
+  if (is_of_motions(*kernel.predicate)) return {};
+  for (const Family* family : queries.empty() ? all_families_of(*kernel.predicate) : std::vector<const Family*>()) {
+    std::size_t contacts = 0, others = 0;
+    for (std::uint64_t position = 0; family->entry == kernel.entry && position < positions_of_family; ++position) {
+      const Numbers<Real> query = family->make<Real>(subject.seed(), position);
+      const std::optional<Verdict> verdict = oracles_of(kernel).clear_verdict(query);
+      if (!verdict || !is_promised(kernel, query)) continue;
+      if ((*verdict == Verdict::contact ? contacts : others)++ < most_of_family) queries.push_back(query);
+    }
+  }
+  return judged(subject, queries, true);
+}
+
+// What is wrong on those.
+template <class Real>
+struct OnFamilies {
+  std::size_t of = 0, wrong = 0;
+  double largest = 0;
+  std::optional<JudgedContact<Real>> shown = {};  // with the largest error
+
+  std::string text(std::string_view what) const {
+    return fmt::format(
+        "{} right but for rounding on clear queries of one family, and {} of {} of all families are "
+        "wrong, by up to {:.3g} of the scene.",
+        what, wrong, of, largest);
+  }
+  Json measured() const { return {{"wrong", wrong}, {"of", of}, {"largest_error", largest}}; }
+};
+// `error` is how far off the number is where it is wrong, 0 where it is right, and empty where there is none.
+template <class Real, class Error>
+OnFamilies<Real> on_families(Subject<Real>& subject, Error&& error) {
+  OnFamilies<Real> found;
+  for (const JudgedContact<Real>& one : judged_of_families(subject)) {
+    const std::optional<double> off = error(one);
+    if (!off) continue;
+    ++found.of;
+    if (!(*off > 0)) continue;
+    ++found.wrong;
+    if (found.shown && *off <= found.largest) continue;
+    found.largest = *off;
+    found.shown = one;
+  }
+  return found;
+}
+
+}  // namespace axiscert::diagnosis::contacts
