@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "kernel/boxes/relative.h"
 #include "kernel/boxes/thirteen.h"
@@ -99,12 +100,16 @@ Polygon<T> face_along(const OrientedBox<T>& box, const Vec3<T>& d) {
                 v = box.axis[last(k)] * box.half[last(k)];
   return {{middle + u + v, middle - u + v, middle - u - v, middle + u - v}, 4};
 }
+// The broader way first: of what a side without breadth cuts, a rounding may leave one corner, which is within the
+// others then.
 template <class T>
 Sides<T> sides_along(const OrientedBox<T>& box, const Vec3<T>& d) {
   Sides<T> found{{}, 4};
   std::size_t at = 0;
   const std::size_t k = axis_along(box, d);
-  for (const std::size_t i : {next(k), last(k)}) {
+  std::array<std::size_t, 2> along = {next(k), last(k)};
+  if (box.half[along[0]] < box.half[along[1]]) std::swap(along[0], along[1]);
+  for (const std::size_t i : along) {
     const Vec3<T>& out = box.axis[i];
     found.side[at++] = {out, box.centre + out * box.half[i]};
     found.side[at++] = {out * T(-1), box.centre - out * box.half[i]};
