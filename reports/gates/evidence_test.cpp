@@ -176,6 +176,27 @@ TEST(LookedAt, LinesOfAPrecisionInWhichTheKernelDoesNotExistAreLeftOut) {
     EXPECT_THAT(each.leaves_out, testing::Not(HasSubstr(lines)));
 }
 
+TEST(LookedAt, LinesThatPrecisionLeavesOutAreSaidWithMet) {
+  Json record = right_kernel();
+  EXPECT_THAT(judged_at(record, "exact").text(), testing::Not(HasSubstr("left out")));
+  const std::string family = "queries/seven.jsonl";
+  kernel_of(record)["families"][family] = family_of(record);
+  record["plan"]["families"].push_back(family);
+  record["plan"]["trials"][family] = {{"binary32", 5000}};
+  record["plan"]["files"].push_back({{"name", "seven.jsonl"},
+                                     {"kind", "queries"},
+                                     {"sha256", nullptr},
+                                     {"queries", 5006},
+                                     {"left_out", {{"binary64", 6}}}});
+  const LevelOutcome found = judged_at(record, "exact");
+  EXPECT_EQ(found.state, LevelState::met) << found.text();
+  EXPECT_THAT(found.text(), HasSubstr(", 6 lines of files left out: met"));
+  EXPECT_THAT(found.leaves_out, HasSubstr("6 of 5,006 queries of queries/seven.jsonl, which are of binary64: the run "
+                                          "was not to ask them"));
+  EXPECT_THAT(judged_at(record, "exact in lattice").text(), testing::Not(HasSubstr("left out")));
+  EXPECT_THAT(unjudged(record), IsEmpty()) << "they were not asked for";
+}
+
 TEST(LookedAt, AMarginIsOfQueriesThatAreNotPromised) {
   Json record = right_kernel();
   declare_limits(record);
