@@ -110,6 +110,14 @@ Json proofs_data(const Path& file) {
   return data;
 }
 
+// Whether no query of a mutant's precision was valid.
+bool was_not_judged(const Json& mutation, const Json& mutant) {
+  const std::string precision = mutant.value("precision", "");
+  return mutation.is_object() && mutation.value("score", Json::object())
+                                         .value(precision, Json::object())
+                                         .value("not_judged", std::uint64_t{0}) != 0;
+}
+
 Json mutation_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
@@ -119,9 +127,10 @@ Json mutation_data(const Path& file) {
     // next to it.
     const Json caught = first_of(row, {"caught"});
     const Json& catch_of = caught.is_object() ? caught : row;
+    const bool is_caught = caught.is_object() || caught == true;
     data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},
                                {"precision", first_of(row, {"precision"})},
-                               {"caught", caught.is_object() || caught == true},
+                               {"caught", !is_caught && was_not_judged(whole, row) ? Json(nullptr) : Json(is_caught)},
                                {"family", first_of(catch_of, {"family"})},
                                {"queries", first_of(catch_of, {"queries"})},
                                {"equivalent", first_of(row, {"equivalent"})}});

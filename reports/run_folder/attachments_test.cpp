@@ -69,6 +69,19 @@ TEST(Attachments, APictureOutsideItsFolderIsRefused) {
   EXPECT_THAT(folder.rendering_error(), HasSubstr("missing.png: cannot be read"));
 }
 
+TEST(Attachments, AMutantWithoutAValidQueryWasNotJudged) {
+  const TestFolder folder(stored_record());
+  folder.write("mutation.json", R"({"complete": true,
+    "score": {"binary32": {"not_judged": 0}, "binary64": {"not_judged": 1}}, "mutants": [
+    {"id": "m", "precision": "binary32", "caught": null}, {"id": "m", "precision": "binary64", "caught": null},
+    {"id": "n", "precision": "binary64", "caught": {"family": "lattice", "queries": 7}}, {"id": "o", "caught": null}]})");
+  const Json mutants = attachments(folder.path(), 0)["mutation"]["mutants"];
+  EXPECT_EQ(mutants[0]["caught"], false);
+  EXPECT_TRUE(mutants[1]["caught"].is_null());
+  EXPECT_EQ(mutants[2]["caught"], true);
+  EXPECT_EQ(mutants[3]["caught"], false);
+}
+
 TEST(Attachments, AFileOfAnotherFormIsOneErrorAndNothingIsWritten) {
   for (const char* file :
        {"proofs.json", "search.json", "mutation.json", "ladder.json", "precision.json", "league.json"}) {
