@@ -37,9 +37,9 @@ struct ComparedCell {
   bool is_compared() const {
     return before.kind == Cell::Kind::count && before.of.trials != 0 && after.of.trials != 0 && (same_queries || p);
   }
-  // No zero that stands for nothing: a kernel that decides nothing is wrong nowhere, and was not looked at.
+  // No zero that stands for nothing: a kernel that decides no contact misses none, and was not looked at.
   bool is_zero_in_both() const { return before.is_zero() && after.is_zero(); }
-  bool is_looked_at() const { return before.decided != 0 && after.decided != 0; }
+  bool is_looked_at() const { return before.looked_at != 0 && after.looked_at != 0; }
   // The id of the kernel, or its identity where the two runs have it under different ids.
   const std::string& kernel() const { return before.kernel == after.kernel ? before.kernel : after.identity; }
 };
