@@ -56,6 +56,10 @@ bool is_error_in_u(const Cell& cell);
 // The cells in the record's order, including those with the figure zero.
 std::vector<Cell> cells_of(const Record& record);
 
+// The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
+// is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
+std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
+
 // The first 16 hex digits of the SHA-256 of a cell's key: the same in every run that has the cell, whatever its figure.
 std::string fingerprint(const Json& key);
 // "published binary32 on tangent: verdict.false_separation": the cell with this key.
