@@ -42,7 +42,7 @@ def verdict_table(rows):
                  "false_contact": valid - outside - contacts - (count["verdict.undecided"] - declined)}
 
         def figures(kind):
-            n, depth = count[f"verdict.{kind}"], amount(float(row[f"verdict.deepest_{kind}"]), 4)
+            n, depth = count.get(f"verdict.{kind}", 0), amount(float(row[f"verdict.deepest_{kind}"] or 0), 4)
             if n:
                 return [f"{n:,} ({amount(1e6 * n / valid, 3)} per million)", depth]
             decided = max(0, kinds[kind] - count["verdict.invalid"] - count["verdict.unanswered"])

@@ -199,6 +199,7 @@ FamilyRecord family_of(const SeededSource& of, const Kernel& kernel, const Toler
   family.exact_arithmetic = of.source.exact_arithmetic();
   if (asymmetry) {
     family.asymmetry = asymmetry_record(*asymmetry, address, kernel.measure_count != 0);
+    if (!has_comparisons(kernel)) family.asymmetry->comparisons.reset();
     family.invariance = invariance_of(of, *asymmetry);
   }
   return family;
@@ -229,13 +230,13 @@ std::map<ImageKind, ImageChangesRecord> invariance_of(const SeededSource& of, co
 Json counts_json(const Kernel& kernel, const Tally& tally) {
   const FamilyRecord family = counted(tally, kernel, {}, [](std::uint64_t) { return std::string(); });
   Json json = json_of(family);
+  put_unseen(json, family);
   for (const char* member : {"base_triangles", "exact_arithmetic", "axes", "comparisons"}) json.erase(member);
   for (const char* member : {"masked_links", "first_by_link", "depths", "engine_like"}) json["verdict"].erase(member);
   for (const char* member : {"median_ulps", "signed_median_ulps"}) json["critical_radius"].erase(member);
   if (family.classes) {
     for (Json& count : json["classes"]) count.erase("witness");
   }
-  if (family.contacts) put_unseen(json["contacts"], *family.contacts);
   if (family.contacts && family.contacts->time) {
     for (const char* errors : {"late_errors", "early_errors"}) json["contacts"]["time"][errors].erase("by_power");
   }

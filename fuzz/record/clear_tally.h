@@ -28,9 +28,10 @@ struct ClearTally {
   AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
                   AXISCERT_FIELD(undecided, "Those that the kernel declined."),
                   AXISCERT_FIELD(unanswered, "Those that it called invalid, or that got no answer."),
-                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
-                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."), journalled(&Of::first_missed),
-                  journalled(&Of::first_phantom))
+                  AXISCERT_FIELD(decided, "The rest."),
+                  field(&Of::false_separation, figure_of("decided", "false_separation", "Missed contacts among them.")),
+                  field(&Of::false_contact, figure_of("decided", "false_contact", "Phantom contacts among them.")),
+                  journalled(&Of::first_missed), journalled(&Of::first_phantom))
 };
 
 }  // namespace axiscert

@@ -96,7 +96,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/5"))
+                HasSubstr("does not conform to axiscert-certificate/6"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());

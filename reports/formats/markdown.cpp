@@ -246,7 +246,8 @@ class MarkdownReport {
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
       cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : "none",
-                                 thousands(found.images), thousands(found.verdicts), thousands(found.comparisons)});
+                                 thousands(found.images), found.images == 0 ? "-" : thousands(found.verdicts),
+                                 found.images == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
       section.add_row(cells);
     });
     return any ? section.text() : "";

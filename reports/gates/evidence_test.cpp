@@ -44,6 +44,7 @@ Json& verdict_of(Json& record, const char* name = "lattice") { return family_of(
 
 void put_outside(Json& verdict, std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
   verdict["outside_limits"] = {{"trials", contact + separated},
+                               {"decided", contact + separated},
                                {"false_separation", 0},
                                {"false_contact", 0},
                                {"unanswered", 0},
