@@ -51,7 +51,7 @@ def verdict_table(rows):
             return [limit, depth if decided else "-"]
 
         table.append([row["kernel"], row["precision"], row["family"] + (" (exact arithmetic)" if row["exact_arithmetic"] == "true" else ""),
-                      ", ".join(links) or "none", f"{count['trials']:,}",
+                      ", ".join(links) or ("none" if count["verdict.decided"] else "-"), f"{count['trials']:,}",
                       *(f"{count[f'truth.{what}']:,}" for what in ("separated", "contact", "touching", "invalid")),
                       *figures("false_separation"), *figures("false_contact"),
                       *(f"{count[f'verdict.{what}']:,}" for what in ("touching_flips", "undecided", "unanswered"))])

@@ -82,6 +82,31 @@ TEST(Attachments, AMutantWithoutAValidQueryWasNotJudged) {
   EXPECT_EQ(mutants[3]["caught"], false);
 }
 
+TEST(Attachments, AKindOfVerdictThatNoFamilyDecidedIsNullInALeague) {
+  const TestFolder folder(stored_record());
+  Json family = {{"caught_after", nullptr}};
+  for (const char* count : {"trials", "decided", "undecided", "invalid", "unanswered", "outside_limits"})
+    family[count] = 10;
+  Json other = family;
+  family.update({{"false_separation", nullptr},
+                 {"false_contact", 2},
+                 {"deepest_false_separation", nullptr},
+                 {"deepest_false_contact", 0.5}});
+  other.update({{"false_separation", nullptr},
+                {"false_contact", nullptr},
+                {"deepest_false_separation", nullptr},
+                {"deepest_false_contact", nullptr}});
+  Json league, one = {{"id", "k"}};
+  one["families"]["one"] = family;
+  one["families"]["two"] = other;
+  league["kernels"] = Json::array({one});
+  folder.write("league.json", league.dump());
+  const Json kernel = attachments(folder.path(), 0)["league"]["kernels"][0];
+  EXPECT_TRUE(kernel["false_separation"].is_null() && kernel["deepest_false_separation"].is_null());
+  EXPECT_EQ(kernel["false_contact"], 2);
+  EXPECT_EQ(kernel["deepest_false_contact"], 0.5);
+}
+
 TEST(Attachments, AFileOfAnotherFormIsOneErrorAndNothingIsWritten) {
   for (const char* file :
        {"proofs.json", "search.json", "mutation.json", "ladder.json", "precision.json", "league.json"}) {

@@ -11,7 +11,7 @@ function show_league(data) {
   const precision = column.text('precision', (row) => row.precision);
   const wrong = (member, label, alarm) => [
     column.count(label, (row) => row[member], {alarm, group: label, none: 'not measured'}),
-    column.amount('per million', (row) => (row.decided > 0 ? 1e6 * row[member] / row.decided : null), {digits: 3, group: label}),
+    column.amount('per million', (row) => (row[member] === null ? null : 1e6 * row[member] / row.decided), {digits: 3, group: label}),
     column.amount('deepest', (row) => row[`deepest_${member}`], {digits: 3, group: label})];
   const contenders = league.kernels.filter((row) => !row.has_planted_fault);
   const faults = league.kernels.filter((row) => row.has_planted_fault);

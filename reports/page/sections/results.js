@@ -49,7 +49,7 @@ function families_table(data, rows) {
     answers('unanswered', 'no answer', 'bad'),
     column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, note: verdict.links,
-                 cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
+                 cell: (td, value, row) => td.append(row.result.verdict.decided === 0 ? '-' : link_chips(row.result.verdict.links))}),
   ], rows, grouped(data, rows));
 }
 
