@@ -62,14 +62,15 @@ void begin_instrument(const InstrumentOptions& options) {
 
 int print_and_write_instrument(const InstrumentReport& report, const InstrumentOptions& options) {
   fmt::print("{}", options.format == "text" ? instrument_text(report) : data_text(report.data, options.format));
-  if (options.out.empty()) return exit_done;
+  const int done = report.is_of_nothing ? exit_requirement_failed : exit_done;
+  if (options.out.empty()) return done;
   make_folder(options.out);
   write_files(options.out, {{report.name + ".json", data_text(report.data, "json")},
                             {report.name + ".csv", data_text(report.data, "csv")},
                             {report.name + ".html", instrument_page(report)}});
   if (options.format == "text")
     fmt::print("{}\n", (std::filesystem::path(options.out) / (report.name + ".html")).string());
-  return exit_done;
+  return done;
 }
 
 }  // namespace axiscert

@@ -64,9 +64,7 @@ std::vector<std::string> all_names() {
 int measure(const PrecisionOptions& options) {
   begin_instrument(options);
   const auto figures = [&](const ShowProgress& show) { return precision_figures(options, show); };
-  const InstrumentReport report = with_progress("precision", figures);
-  const int done = print_and_write_instrument(report, options);
-  return report.is_of_nothing ? exit_requirement_failed : done;
+  return print_and_write_instrument(with_progress("precision", figures), options);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::string kernels_table(const std::vector<KernelRecord>& kernels) {
   bool has_limits = false, has_depth = false;
   for (const KernelRecord& kernel : kernels) {
     const Evidence evidence = evidence_of(kernel);
-    std::uint64_t trials = 0, missed = 0, phantom = 0, undecided = 0, outside_wrong = 0;
+    std::uint64_t trials = 0, missed = 0, phantom = 0, undecided = 0, outside_wrong = 0, outside_decided = 0;
     double deepest_missed = 0, deepest_phantom = 0;
     for (const auto& [family, result] : kernel.families) {
       const VerdictTally& verdict = result.verdict;
@@ -57,21 +57,26 @@ std::string kernels_table(const std::vector<KernelRecord>& kernels) {
       missed += verdict.false_separation;
       phantom += verdict.false_contact;
       undecided += verdict.undecided;
-      if (const auto& apart = verdict.outside_limits) outside_wrong += apart->false_separation + apart->false_contact;
+      if (const auto& apart = verdict.outside_limits) {
+        outside_decided += apart->decided;
+        outside_wrong += apart->false_separation + apart->false_contact;
+      }
       deepest_missed = std::max(deepest_missed, verdict.deepest_false_separation.best());
       deepest_phantom = std::max(deepest_phantom, verdict.deepest_false_contact.best());
     }
     has_limits |= evidence.outside != 0;
     has_depth |= deepest_missed != 0 || deepest_phantom != 0;
-    // No depth was measured where it decided no query that it could have got wrong so.
-    const auto deepest = [&](FlipKind kind, double depth) {
-      return depth == 0 && evidence.decided_for(kind) == 0 ? std::string("-") : amount(depth, 3);
+    // Nothing was measured where it decided no query that it could have got wrong so.
+    const auto figure = [&](FlipKind kind, std::uint64_t wrong, const std::string& shown) {
+      return wrong == 0 && evidence.decided_for(kind) == 0 ? std::string("-") : shown;
     };
-    rows.push_back({kernel.id, std::string(name(kernel.precision)), thousands(trials), thousands(missed),
-                    deepest(FlipKind::false_separation, deepest_missed), thousands(phantom),
-                    deepest(FlipKind::false_contact, deepest_phantom), thousands(undecided),
-                    thousands(evidence.invalid), thousands(evidence.unanswered), thousands(evidence.outside),
-                    thousands(outside_wrong)});
+    const auto of_missed = [&](const std::string& shown) { return figure(FlipKind::false_separation, missed, shown); };
+    const auto of_phantom = [&](const std::string& shown) { return figure(FlipKind::false_contact, phantom, shown); };
+    rows.push_back({kernel.id, std::string(name(kernel.precision)), thousands(trials), of_missed(thousands(missed)),
+                    of_missed(amount(deepest_missed, 3)), of_phantom(thousands(phantom)),
+                    of_phantom(amount(deepest_phantom, 3)), thousands(undecided), thousands(evidence.invalid),
+                    thousands(evidence.unanswered), thousands(evidence.outside),
+                    outside_decided == 0 ? "-" : thousands(outside_wrong)});
     const bool is_undeclared = undecided != 0 && !kernel.may_decline;
     const bool is_bad =
         missed + evidence.invalid + evidence.unanswered != 0 || is_undeclared || evidence.decided() == 0;

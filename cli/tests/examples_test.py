@@ -123,7 +123,7 @@ class Examples(unittest.TestCase):
     def wrong(self, record, kernel, names):
         """(missed, phantom) contacts of a kernel in binary32, by family."""
         verdicts = {name: family(record, name, "binary32", kernel)["verdict"] for name in names}
-        return {name: {kind: verdict[kind] for kind in ("false_separation", "false_contact")} for name, verdict in verdicts.items()}
+        return {name: {kind: verdict[kind] or 0 for kind in ("false_separation", "false_contact")} for name, verdict in verdicts.items()}
 
     FORMULAE_FAMILIES = ("tangent", "lattice", "repeated", "scale")
 

@@ -157,7 +157,7 @@ class PredicateCase(Case):
             (shown,) = [row for row in self.certificate["comparison"]
                         if (row["kernel"], row["precision"]) == (self.kernel, one["precision"])]
             for name, kind in (("missed", "false_separation"), ("phantom", "false_contact")):
-                self.assertEqual(shown[name], sum(family["verdict"][kind] for family in one["families"].values()), name)
+                self.assertEqual(shown[name], sum(family["verdict"][kind] or 0 for family in one["families"].values()), name)
         families = [self.plan.family, *list(own[0]["families"])[:2]]
         yield from self.told_by_record({"kernels": own}, families)
         for witness in self.certificate["witnesses"]:
@@ -236,7 +236,7 @@ class PredicateCase(Case):
                 (self.folder / "replies.bin").write_bytes(header + b"".join(struct.pack("<BB14x", CODES[one], 0) for one in said))
                 self.said("judge", self.folder / "replies.bin", "--quiet", "--threads", 1, "--out", self.folder / "judged")
                 (kernel,) = self.record("judged")["kernels"]
-                found = [family["verdict"][kind] for family in kernel["families"].values() for kind in ("false_separation", "false_contact")]
+                found = [family["verdict"][kind] or 0 for family in kernel["families"].values() for kind in ("false_separation", "false_contact")]
                 self.assertEqual(sum(found), sum(a != b for a, b in zip(said, right)))
                 first = 0
                 for name, family in kernel["families"].items():

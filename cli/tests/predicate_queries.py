@@ -30,7 +30,7 @@ def wrong(said):
 
 def counted_in(family):
     """The same of a family of a record."""
-    return {**family["truth"], **{name: family["verdict"][name] for name in ("false_separation", "false_contact")}}
+    return {**family["truth"], **{name: family["verdict"][name] or 0 for name in ("false_separation", "false_contact")}}
 
 
 def verdicts(truths):

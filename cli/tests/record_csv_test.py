@@ -42,7 +42,7 @@ def verdict_table(rows):
                  "false_contact": valid - outside - contacts - (count["verdict.undecided"] - declined)}
 
         def figures(kind):
-            n, depth = count[f"verdict.{kind}"], amount(float(row[f"verdict.deepest_{kind}"]), 4)
+            n, depth = count.get(f"verdict.{kind}", 0), amount(float(row[f"verdict.deepest_{kind}"] or 0), 4)
             if n:
                 return [f"{n:,} ({amount(1e6 * n / valid, 3)} per million)", depth]
             decided = max(0, kinds[kind] - count["verdict.invalid"] - count["verdict.unanswered"])
@@ -51,7 +51,7 @@ def verdict_table(rows):
             return [limit, depth if decided else "-"]
 
         table.append([row["kernel"], row["precision"], row["family"] + (" (exact arithmetic)" if row["exact_arithmetic"] == "true" else ""),
-                      ", ".join(links) or "none", f"{count['trials']:,}",
+                      ", ".join(links) or ("none" if count["verdict.decided"] else "-"), f"{count['trials']:,}",
                       *(f"{count[f'truth.{what}']:,}" for what in ("separated", "contact", "touching", "invalid")),
                       *figures("false_separation"), *figures("false_contact"),
                       *(f"{count[f'verdict.{what}']:,}" for what in ("touching_flips", "undecided", "unanswered"))])

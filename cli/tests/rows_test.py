@@ -181,12 +181,12 @@ class Rows(Case):
             decided = [row for row in rows if row["standing"] == "decided"]
             wrong = [row["computed.verdict"] for row in decided if row["wrong"] == "true"]
             self.assertEqual((wrong.count("separated"), wrong.count("contact")),
-                             (counted["verdict"]["false_separation"], counted["verdict"]["false_contact"]), name)
+                             tuple(counted["verdict"][kind] or 0 for kind in ("false_separation", "false_contact")), name)
             truths = [row["exact.verdict"] for row in rows]
             self.assertEqual([truths.count(truth) for truth in ("separated", "contact", "invalid")],
                              [counted["truth"][truth] for truth in ("separated", "contact", "invalid")], name)
             deepest = max((float(row["exact.depth"]) for row in decided if row["wrong"] == "true"), default=0)
-            self.assertEqual(deepest, counted["verdict"]["deepest"], name)
+            self.assertEqual(deepest, counted["verdict"]["deepest"] or 0, name)
             for link, count in counted["verdict"]["links"].items():
                 self.assertEqual(sum(link in row["links"].split() for row in decided), count, (name, link))
 

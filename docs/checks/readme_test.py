@@ -42,7 +42,7 @@ def sweeps(commands, old):
         families = {family.split("/")[-1]: result["verdict"] for family, result in record["kernels"][0]["families"].items()}
 
         def cell(group):
-            missed, phantom, declined = (sum(families[family][member] for family in group.split())
+            missed, phantom, declined = (sum(families[family][member] or 0 for family in group.split())
                                          for member in ("false_separation", "false_contact", "undecided"))
             return f"{missed:,} / {phantom:,}" + (f" / {declined:,}" if declined else "")
 

@@ -106,7 +106,7 @@ def declined(commands, old):
     def share(family, precision, kernel):
         (entry,) = [k for k in record["kernels"] if (k["id"], k["precision"]) == (kernel, precision)]
         verdict, trials = entry["families"][family]["verdict"], entry["families"][family]["trials"]
-        assert verdict["false_separation"] + verdict["false_contact"] == 0, f"{kernel} is wrong on {family}"
+        assert not verdict["false_separation"] and not verdict["false_contact"], f"{kernel} is wrong on {family}"
         undecided = verdict["undecided"]
         percent = f"{100 * undecided / trials:.3g}"
         return "0" if undecided == 0 else "> 99.9 %" if percent == "100" and undecided < trials else f"{percent} %"

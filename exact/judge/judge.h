@@ -92,7 +92,8 @@ struct Reference {
 };
 
 struct Judgement {
-  std::optional<FlipKind> verdict_flip;  // against right_verdict(); empty if the truth is `invalid`
+  std::optional<Verdict> decided;        // right_verdict() of an answer that is one of the two
+  std::optional<FlipKind> verdict_flip;  // against that; empty if the truth is `invalid`
   LinkSet verdict_links;                 // links broken on the way, whether the verdict is wrong or right
   ComparisonBits comparison_flips = 0, comparison_decisive = 0;  // decisive is a subset of flips
   ClauseBits axis_flips = 0, axis_decisive = 0;

@@ -71,7 +71,7 @@ if len(sys.argv) > 1:
     frames = [record.to_pandas() for record in (before, after)]
     figure, axes = plt.subplots(figsize=(7, 2.6), layout="constrained")
     for place, (frame, label) in enumerate(zip(frames, ("an edge left out", "mended"))):
-        wrong = frame["verdict.false_contact"] + frame["verdict.false_separation"]
+        wrong = frame[["verdict.false_contact", "verdict.false_separation"]].sum(axis=1)
         axes.barh(np.arange(len(frame)) + 0.2 - 0.4 * place, wrong, 0.4, label=label)
     axes.set_yticks(np.arange(len(scenes)), [name.removeprefix("scene-") for name in scenes])
     axes.set_xlabel("wrong verdicts of 2,000")

@@ -39,7 +39,9 @@ RepliesRecord replies_record(const Answerers& answerers) {
 }
 
 FileRecord file_record(const FileInfo& file) {
-  FileRecord record{file.name, file.kind, std::nullopt, {}, {}, {}, {}};
+  FileRecord record;
+  record.name = file.name;
+  record.kind = file.kind;
   if (!file.sha256.empty()) record.sha256 = Sha256(file.sha256);
   if (file.kind == "queries") record.queries = file.queries;
   if (file.kind == "mesh") {
@@ -48,6 +50,18 @@ FileRecord file_record(const FileInfo& file) {
     record.skipped_primitives = file.skipped_primitives;
   }
   return record;
+}
+
+// A source's queries of precisions that nobody asked for, as of those in which a kernel exists.
+std::optional<std::map<Precision, std::uint64_t>> left_out_of(const Source& source, const Questions& questions) {
+  std::map<Precision, std::uint64_t> left_out;
+  for (const Precision precision : {Precision::binary32, Precision::binary64}) {
+    const bool is_asked =
+        std::ranges::count(questions.precisions, precision) + std::ranges::count(questions.idle, precision) != 0;
+    const std::uint64_t queries = is_asked ? 0 : source.fixed_size(precision).value_or(0);
+    if (queries != 0) left_out[precision] = queries;
+  }
+  return left_out.empty() ? std::nullopt : std::optional(left_out);
 }
 
 // The sizes of files that a time limit ended before their end: other families have none.
@@ -77,7 +91,10 @@ PlanRecord plan_record(const Plan& plan, const CampaignResult& result, const Run
     record.families.push_back(source->name());
     record.generators.put(source->name()) = {static_cast<std::uint64_t>(source->version()), source->exact_arithmetic(),
                                              source->purpose()};
-    if (const auto file = source->file()) record.files.push_back(file_record(*file));
+    if (const auto file = source->file()) {
+      record.files.push_back(file_record(*file));
+      record.files.back().left_out = left_out_of(*source, questions);
+    }
   }
   for (const FileInfo& file : answerers.plugins) record.files.push_back(file_record(file));
   const auto put_counts = [&](const CampaignResult& of, CountsByFamily& counts, auto member) {
@@ -182,6 +199,7 @@ FamilyRecord family_of(const SeededSource& of, const Kernel& kernel, const Toler
   family.exact_arithmetic = of.source.exact_arithmetic();
   if (asymmetry) {
     family.asymmetry = asymmetry_record(*asymmetry, address, kernel.measure_count != 0);
+    if (!has_comparisons(kernel)) family.asymmetry->comparisons.reset();
     family.invariance = invariance_of(of, *asymmetry);
   }
   return family;
@@ -212,13 +230,13 @@ std::map<ImageKind, ImageChangesRecord> invariance_of(const SeededSource& of, co
 Json counts_json(const Kernel& kernel, const Tally& tally) {
   const FamilyRecord family = counted(tally, kernel, {}, [](std::uint64_t) { return std::string(); });
   Json json = json_of(family);
+  put_unseen(json, family);
   for (const char* member : {"base_triangles", "exact_arithmetic", "axes", "comparisons"}) json.erase(member);
   for (const char* member : {"masked_links", "first_by_link", "depths", "engine_like"}) json["verdict"].erase(member);
   for (const char* member : {"median_ulps", "signed_median_ulps"}) json["critical_radius"].erase(member);
   if (family.classes) {
     for (Json& count : json["classes"]) count.erase("witness");
   }
-  if (family.contacts) put_unseen(json["contacts"], *family.contacts);
   if (family.contacts && family.contacts->time) {
     for (const char* errors : {"late_errors", "early_errors"}) json["contacts"]["time"][errors].erase("by_power");
   }

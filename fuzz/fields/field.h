@@ -146,6 +146,12 @@ constexpr Field optional_field(std::string_view name, std::string_view about = {
   return {.name = name, .about = about, .unit = unit, .may_be_absent = true};
 }
 
+// A figure of what `count` counts: null where that is 0.
+constexpr Field figure_of(std::string_view count, std::string_view name, std::string_view about,
+                          std::string_view unit = {}) {
+  return {.name = name, .about = about, .unit = unit, .looked_at = count};
+}
+
 // The fields of a struct, which is `Of` among them; a member by its own name, and what is said of it: what it is about,
 // and its unit.
 #define AXISCERT_FIELDS(Struct, ...)           \

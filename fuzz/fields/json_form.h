@@ -114,8 +114,10 @@ struct JsonForm<T> {
     });
     // Fields that others already say.
     for_each_written<T>([&](const auto& field) {
-      if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored)
+      if constexpr (!std::remove_cvref_t<decltype(field)>::is_stored) {
+        if (is_unseen(place, field) && place.at(field.name).value().is_null()) return;
         require_said(place, field.name, json_of(value_of(into, field)));
+      }
     });
   }
   // Members whose names no field has.

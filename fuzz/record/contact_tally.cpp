@@ -84,6 +84,7 @@ void count_time(TimeTally& time, std::uint64_t position, const ContactJudgement&
 }
 
 void count_consistency(ConsistencyTally& tally, std::uint64_t position, Consistency found) {
+  ++tally.judged;
   tally.positive += found == Consistency::positive;
   tally.negative += found == Consistency::negative;
   tally.missing += found == Consistency::missing;
@@ -129,6 +130,7 @@ void count_error_of(OfPoints& tally, std::uint64_t position, const std::optional
 }  // namespace
 
 void count_contact(ContactTally& tally, std::uint64_t position, const ContactJudgement& judgement) {
+  ++*tally.decided;
   if (judgement.missed) {
     count_tunnel(*tally.missed, position, *judgement.missed);
     return;
@@ -203,7 +205,10 @@ void count_given(ContactTally& tally, std::uint64_t position, const Predicate& p
 ContactTally given_contacts(ContactTally tally, const Predicate& predicate, std::size_t measure_count) {
   const auto gives = [&](MeasureKind kind) { return gives_measure(predicate, measure_count, kind); };
   const bool moves = is_of_motions(predicate), has_pair = gives(MeasureKind::point_a) && gives(MeasureKind::point_b);
-  if (!moves) tally.missed.reset();
+  if (!moves) {
+    tally.decided.reset();
+    tally.missed.reset();
+  }
   if (!gives(MeasureKind::time)) tally.time.reset();
   if (!gives(MeasureKind::separation)) {
     tally.consistency.reset();

@@ -15,12 +15,6 @@
 
 namespace axiscert {
 
-// A figure of the answers that `count` counts.
-constexpr Field figure_of(std::string_view count, std::string_view name, std::string_view about,
-                          std::string_view unit = {}) {
-  return {.name = name, .about = about, .unit = unit, .looked_at = count};
-}
-
 // Errors of times by powers of two, in units in the last place: number k counts those above 2^(k-1) and at most 2^k;
 // the first also all that are less, the last all that are more.
 inline constexpr std::size_t ulp_powers = 32;
@@ -149,15 +143,17 @@ struct TimeTally {
 
 // The numbers of an answer against each other.
 struct ConsistencyTally {
-  std::uint64_t positive = 0, negative = 0, missing = 0;
+  std::uint64_t judged = 0, positive = 0, negative = 0, missing = 0;
   EnumArray<Consistency, Leaders<bool>> first;  // of each kind
 
   static constexpr std::string_view about = "Answers whose numbers contradict each other, or their verdict.";
   static constexpr auto fields(auto&& visit) {
     using Of = ConsistencyTally;
-    return visit(field(&Of::positive, {"positive", "Contacts with a separation above 0."}),
-                 field(&Of::negative, {"negative", "Separated, with a separation below 0."}),
-                 field(&Of::missing, {"missing", "Answers with some numbers, and without another that there is."}),
+    return visit(field(&Of::judged, {"judged", "Answers with a number."}),
+                 field(&Of::positive, figure_of("judged", "positive", "Contacts with a separation above 0.")),
+                 field(&Of::negative, figure_of("judged", "negative", "Separated, with a separation below 0.")),
+                 field(&Of::missing,
+                       figure_of("judged", "missing", "Answers with some numbers, and without another that there is.")),
                  journalled(&Of::first));
   }
 };
@@ -335,6 +331,7 @@ struct PointsTally {
 // The optional ones are empty where the kernel does not give that measure, or the predicate has no such thing.
 struct ContactTally {
   std::uint64_t answers = 0, separations = 0;
+  std::optional<std::uint64_t> decided = 0;
   std::optional<TunnelTally> missed = TunnelTally();
   std::optional<TimeTally> time = TimeTally();
   std::optional<ConsistencyTally> consistency = ConsistencyTally();
@@ -353,7 +350,12 @@ struct ContactTally {
                                       "Answers whose measures are judged: of motions the contacts that are right, else "
                                       "all within its promises."}),
                  field(&Of::separations, {"separations", "Of these, those that say separated.", "answers"}),
-                 field(&Of::missed, {"missed", "The missed contacts of motions. Null in another predicate."}),
+                 field(&Of::decided, {"decided",
+                                      "Of motions the contacts that it decided: the answers, and those that it missed. "
+                                      "Null in another predicate.",
+                                      "answers"}),
+                 field(&Of::missed,
+                       figure_of("decided", "missed", "The missed contacts of motions. Null in another predicate.")),
                  field(&Of::time, {"time", "Null where the kernel gives no time."}),
                  field(&Of::consistency, {"consistency", "Null where the kernel gives no separation."}),
                  field(&Of::separation, {"separation", "Null where the kernel gives none."}),

@@ -84,6 +84,47 @@ TEST(ContactTally, WhatWasLookedAtOnNothingIsNullInJson) {
   less["less_margin"] = {{"largest_error", 0.5}, {"largest_length", 0.0}};
   EXPECT_THAT(refused<SeparationTally>(less), testing::EndsWith("is not null, though judged is 0"));
   EXPECT_EQ(json_schema_of<PushTally>()["properties"]["flips"]["anyOf"][0]["type"], "null");
+  const Predicate& predicate = moving_sphere_predicate();
+  ContactTally tally;
+  EXPECT_TRUE(json_of(given_contacts(tally, predicate, 1))["missed"].is_null()) << "no contact was at hand";
+  count_contact(tally, 3, judged(TimeVerdict::best, 0, 0, 0));
+  const Json found = json_of(given_contacts(tally, predicate, 1));
+  EXPECT_EQ(found["missed"]["through"], 0) << "one was, and was found";
+  EXPECT_EQ(refused<ContactTally>(found), "");
+}
+
+// Nothing was missed of no contact.
+TEST(VerdictTally, AKindOfVerdictThatWasNotDecidedIsNullInJson) {
+  const Truth contact{Verdict::contact, false}, separated{Verdict::separated, false};
+  Tally tally = empty_tally(moving_sphere_predicate());
+  const auto count_said = [&](const Truth& truth, Verdict said) {
+    const Answer answer{said, std::nullopt};
+    count_numbers(tally, truth, 0, answer, judge(moving_sphere_predicate(), truth, std::nullopt, answer), 1);
+    return json_of(tally.verdict);
+  };
+  const auto are_null = [](const Json& json, const char* kind) {
+    const std::string name = kind;
+    const bool is_null = json[name].is_null();
+    EXPECT_EQ(json["deepest_" + name].is_null(), is_null);
+    EXPECT_EQ(json["farthest_" + name].is_null(), is_null);
+    return is_null;
+  };
+  Json found = count_said(contact, Verdict::undecided);
+  EXPECT_TRUE(are_null(found, "false_separation") && are_null(found, "false_contact") && found["deepest"].is_null());
+  EXPECT_EQ(refused<VerdictTally>(found), "");
+  found["deepest"] = 0.5;
+  EXPECT_NE(refused<VerdictTally>(found), "");
+  found = count_said(separated, Verdict::separated);
+  EXPECT_TRUE(are_null(found, "false_separation")) << "no contact was decided";
+  EXPECT_EQ(found["false_contact"], 0);
+  EXPECT_EQ(found["deepest"], 0.0);
+  EXPECT_EQ(refused<VerdictTally>(found), "");
+  found = count_said(contact, Verdict::separated);
+  EXPECT_EQ(found["false_separation"], 1);
+  EXPECT_EQ(found["decided"], 2);
+  put_unseen(found = json_of(VerdictTally()), VerdictTally());
+  EXPECT_EQ(found["false_separation"], 0) << "zeros add up";
+  EXPECT_EQ(found["deepest"], 0.0);
 }
 
 TEST(ContactTally, AnErrorIsToldInUlpsWhileTheseAreFew) {

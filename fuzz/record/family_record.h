@@ -29,8 +29,9 @@ struct CriticalRadiusRecord {
           "Median of the finite errors, in ulps of the correctly rounded exact distance; null where there is none.",
           "ulps"),
       AXISCERT_FIELD(largest_ulps, "Largest finite error, in the same ulps; null where there is none.", "ulps"),
-      AXISCERT_FIELD(unbounded,
-                     "Sampled queries for which the kernel says contact for no finite radius within its limits."),
+      field(&Of::unbounded,
+            figure_of("sampled", "unbounded",
+                      "Sampled queries for which the kernel says contact for no finite radius within its limits.")),
       AXISCERT_FIELD(unanswered, "Queries whose search ended at a radius that got no answer: not sampled."),
       AXISCERT_FIELD(undecided,
                      "Queries of which the kernel declined some radius that was asked: not sampled, since the change "
@@ -41,12 +42,12 @@ struct CriticalRadiusRecord {
                      "Median of the finite errors with their signs: negative where the kernel says contact too early, "
                      "at a radius below the exact distance.",
                      "ulps"),
-      AXISCERT_FIELD(early,
-                     "Sampled queries whose critical radius is below the exact distance, correctly rounded: phantom "
-                     "contacts there."),
-      AXISCERT_FIELD(late,
-                     "Sampled queries whose critical radius is more than one ulp above that: missed contacts there; a "
-                     "right kernel's is at most one ulp above."))
+      field(&Of::early, figure_of("sampled", "early",
+                                  "Sampled queries whose critical radius is below the exact distance, correctly "
+                                  "rounded: phantom contacts there.")),
+      field(&Of::late, figure_of("sampled", "late",
+                                 "Sampled queries whose critical radius is more than one ulp above that: missed "
+                                 "contacts there; a right kernel's is at most one ulp above.")))
 };
 CriticalRadiusRecord summary_of(CriticalRadiusTally tally);
 
@@ -81,9 +82,9 @@ struct ImageNumbersRecord {
       AXISCERT_FIELD(separations, "Those with a separation for both."),
       AXISCERT_FIELD(angles, "Those with a normal for both."), AXISCERT_FIELD(points, "Those with a point for both."),
       AXISCERT_FIELD(compared_features, "Those with a feature for both."),
-      AXISCERT_FIELD(lost,
-                     "Those with a number for one of the two alone, where both have one: not given, not a number, or "
-                     "infinite."),
+      field(&Of::lost, figure_of("compared", "lost",
+                                 "Those with a number for one of the two alone, where both have one: not given, not a "
+                                 "number, or infinite.")),
       AXISCERT_FIELD(features,
                      "Those with another feature than the base's, one of the two wrong; null where none was compared."),
       AXISCERT_FIELD(largest_separation, "Greatest difference of separations; null where none was compared.",
@@ -105,7 +106,8 @@ struct ImageNumbersRecord {
 };
 
 struct AsymmetryRecord {
-  std::uint64_t images = 0, verdicts = 0, comparisons = 0;
+  std::uint64_t images = 0, verdicts = 0;
+  std::optional<std::uint64_t> comparisons = 0;
   std::optional<AddressPair> first_verdict, first_comparison;
   std::optional<ImageNumbersRecord> numbers;
 
@@ -119,10 +121,12 @@ struct AsymmetryRecord {
       AXISCERT_FIELD(images,
                      "Images compared with their base: whole groups among the first 2^22 queries, with an answer to "
                      "both and both within the kernel's limits."),
-      AXISCERT_FIELD(verdicts, "Images with another verdict than the base."),
-      AXISCERT_FIELD(
-          comparisons,
-          "Images with another comparison by the base's names, whatever the verdict; 0 for a kernel that shows none."),
+      field(&Of::verdicts, figure_of("images", "verdicts", "Images with another verdict than the base.")),
+      field(
+          &Of::comparisons,
+          figure_of("images", "comparisons",
+                    "Images with another comparison by the base's names, whatever the verdict; null for a kernel that "
+                    "shows none.")),
       AXISCERT_FIELD(first_verdict, "The first with another verdict; null: none."),
       AXISCERT_FIELD(first_comparison, "The first with another comparison; null: none."),
       AXISCERT_OPTIONAL_FIELD(numbers, ImageNumbersRecord::about))
@@ -197,7 +201,7 @@ struct ImageChangesRecord {
       AXISCERT_FIELD(images,
                      "Images of this kind whose verdict was compared with their base's: both within the kernel's "
                      "limits, neither unanswered nor undecided."),
-      AXISCERT_FIELD(changed, "Images with another verdict than the base."),
+      field(&Of::changed, figure_of("images", "changed", "Images with another verdict than the base.")),
       AXISCERT_FIELD(undecided, "Images that were not compared, since the kernel declined the image or its base."),
       AXISCERT_FIELD(by_size,
                      "Those that changed, by size: of the kind scale the power of two, as its exponent; of a "

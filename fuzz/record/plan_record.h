@@ -54,6 +54,7 @@ struct FileRecord {
   Text<FileKindRule> kind;
   std::optional<Sha256> sha256;
   std::optional<std::uint64_t> queries, triangles, degenerate_triangles, skipped_primitives;
+  std::optional<std::map<Precision, std::uint64_t>> left_out;
 
   static constexpr std::string_view about = "A file that was read.";
   AXISCERT_FIELDS(FileRecord, AXISCERT_FIELD(name, "Base name."),
@@ -66,7 +67,10 @@ struct FileRecord {
                   AXISCERT_OPTIONAL_FIELD(triangles, "Of a mesh: triangles read."),
                   AXISCERT_OPTIONAL_FIELD(degenerate_triangles,
                                           "Of a mesh: triangles of exactly zero area among them."),
-                  AXISCERT_OPTIONAL_FIELD(skipped_primitives, "Of a mesh: points and lines, which have no triangle."))
+                  AXISCERT_OPTIONAL_FIELD(skipped_primitives, "Of a mesh: points and lines, which have no triangle."),
+                  AXISCERT_OPTIONAL_FIELD(left_out,
+                                          "Of queries: those of a precision that --precision leaves out. Absent where "
+                                          "it leaves out none."))
 };
 
 struct RepliesRecord {

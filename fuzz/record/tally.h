@@ -41,9 +41,10 @@ struct ClearTally {
   AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
                   AXISCERT_FIELD(undecided, "Those that the kernel declined."),
                   AXISCERT_FIELD(unanswered, "Those that it called invalid, or that got no answer."),
-                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
-                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."), journalled(&Of::first_missed),
-                  journalled(&Of::first_phantom))
+                  AXISCERT_FIELD(decided, "The rest."),
+                  field(&Of::false_separation, figure_of("decided", "false_separation", "Missed contacts among them.")),
+                  field(&Of::false_contact, figure_of("decided", "false_contact", "Phantom contacts among them.")),
+                  journalled(&Of::first_missed), journalled(&Of::first_phantom))
 };
 
 struct ExactSides;
@@ -144,7 +145,7 @@ struct ComparisonTally : SignTally {
 
 // Valid queries outside the limits that a kernel declares; only the truth counts them too.
 struct OutsideTally {
-  std::uint64_t trials = 0, false_separation = 0, false_contact = 0, unanswered = 0;
+  std::uint64_t trials = 0, decided = 0, false_separation = 0, false_contact = 0, unanswered = 0;
   std::uint64_t contact = 0, touching = 0;  // the truth; touching is part of contact
   double deepest = 0;
 
@@ -152,14 +153,16 @@ struct OutsideTally {
       "Results where the kernel promises nothing. No other count of its verdicts, axes, comparisons or critical radii "
       "includes these queries, and no requirement covers them.";
   AXISCERT_FIELDS(OutsideTally, AXISCERT_FIELD(trials, "Valid queries outside the limits."),
-                  AXISCERT_FIELD(false_separation, "Missed contacts among them."),
-                  AXISCERT_FIELD(false_contact, "Phantom contacts among them."),
+                  AXISCERT_FIELD(decided, "Queries among them with a verdict that is right or wrong."),
+                  field(&Of::false_separation, figure_of("decided", "false_separation", "Missed contacts among them.")),
+                  field(&Of::false_contact, figure_of("decided", "false_contact", "Phantom contacts among them.")),
                   AXISCERT_FIELD(unanswered, "Queries among them without an answer."),
                   AXISCERT_FIELD(contact, "Those of trials whose truth is contact."),
                   AXISCERT_FIELD(touching, "Those of contact that touch."),
                   field(&Of::deepest,
-                        {"deepest", "Largest depth of a wrong verdict among them; 0 where there is none.",
-                         "of the scene"},
+                        figure_of("decided", "deepest",
+                                  "Largest depth of a wrong verdict among them; 0 where there is none.",
+                                  "of the scene"),
                         by::greatest))
 };
 
@@ -185,6 +188,7 @@ struct JsonForm<FirstQuery> {
 // A member may be empty where the kernel declares no limits, has a reference (clear), the predicate has no depth, or
 // engines ask no such queries.
 struct VerdictTally {
+  std::uint64_t decided_contacts = 0, decided_separations = 0;
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
   std::uint64_t invalid = 0, unanswered = 0;
@@ -203,6 +207,7 @@ struct VerdictTally {
   std::uint64_t wrong(FlipKind kind) const {
     return kind == FlipKind::false_separation ? false_separation : false_contact;
   }
+  std::uint64_t decided() const { return decided_contacts + decided_separations; }
   double farthest() const { return std::max(farthest_false_separation.best(), farthest_false_contact.best()); }
   double deepest() const { return std::max(deepest_false_separation.best(), deepest_false_contact.best()); }
 
@@ -210,10 +215,14 @@ struct VerdictTally {
       "The kernel's verdicts on the queries within its limits, against the geometric truth and, where the sphere "
       "touches, its own convention.";
   AXISCERT_FIELDS(
-      VerdictTally,
-      AXISCERT_FIELD(false_separation,
-                     "Missed contacts: the kernel says separated, the truth is contact. The dangerous ones."),
-      AXISCERT_FIELD(false_contact, "Phantom contacts: the kernel says contact, the truth is separated."),
+      VerdictTally, AXISCERT_FIELD(decided_contacts, "Contacts that the kernel called contact or separated."),
+      AXISCERT_FIELD(decided_separations, "Separations that it called either."),
+      AXISCERT_FIELD(decided, "Both together."),
+      field(&Of::false_separation,
+            figure_of("decided_contacts", "false_separation",
+                      "Missed contacts: the kernel says separated, the truth is contact. The dangerous ones.")),
+      field(&Of::false_contact, figure_of("decided_separations", "false_contact",
+                                          "Phantom contacts: the kernel says contact, the truth is separated.")),
       AXISCERT_FIELD(undecided, "Valid queries that the kernel declined to decide. Not wrong verdicts."),
       AXISCERT_FIELD(undecided_contact, "Those of undecided whose truth is contact."),
       AXISCERT_FIELD(undecided_touching, "Those of undecided_contact that touch."),
@@ -221,17 +230,22 @@ struct VerdictTally {
       AXISCERT_FIELD(unanswered,
                      "Valid queries without an answer: the kernel crashed, hung, or was not asked because of that. Not "
                      "counted as wrong verdicts."),
-      AXISCERT_FIELD(deepest,
-                     "Largest depth |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict, d the exact distance; 0 "
-                     "where there is none.",
-                     "of the scene"),
-      AXISCERT_FIELD(deepest_false_separation, "The same over missed contacts.", "of the scene"),
-      AXISCERT_FIELD(deepest_false_contact, "The same over phantom contacts.", "of the scene"),
-      AXISCERT_FIELD(farthest_false_separation,
-                     "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 "
-                     "where there is none.",
-                     "length"),
-      AXISCERT_FIELD(farthest_false_contact, "The same over phantom contacts.", "length"),
+      field(&Of::deepest,
+            figure_of("decided", "deepest",
+                      "Largest depth |d - r| / max(|A-P|, |B-P|, |C-P|, r) of a wrong verdict, d the exact distance; 0 "
+                      "where there is none.",
+                      "of the scene")),
+      field(&Of::deepest_false_separation, figure_of("decided_contacts", "deepest_false_separation",
+                                                     "The same over missed contacts.", "of the scene")),
+      field(&Of::deepest_false_contact, figure_of("decided_separations", "deepest_false_contact",
+                                                  "The same over phantom contacts.", "of the scene")),
+      field(&Of::farthest_false_separation,
+            figure_of("decided_contacts", "farthest_false_separation",
+                      "The greatest length by which a missed contact is off: from touching, in the queries' unit; 0 "
+                      "where there is none.",
+                      "length")),
+      field(&Of::farthest_false_contact,
+            figure_of("decided_separations", "farthest_false_contact", "The same over phantom contacts.", "length")),
       AXISCERT_FIELD(links,
                      "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
                      "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "

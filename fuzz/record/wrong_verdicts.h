@@ -69,8 +69,10 @@ struct EngineTally {
       "is "
       "from 2^-20 to 2^20. Wrong verdicts count where their depth is above 16 u.";
   AXISCERT_FIELDS(EngineTally, AXISCERT_FIELD(queries, "Engine-like queries within the kernel's limits."),
-                  AXISCERT_FIELD(false_separation, "Missed contacts among them, deeper than 16 u."),
-                  AXISCERT_FIELD(false_contact, "Phantom contacts among them, deeper than 16 u."),
+                  field(&Of::false_separation,
+                        figure_of("queries", "false_separation", "Missed contacts among them, deeper than 16 u.")),
+                  field(&Of::false_contact,
+                        figure_of("queries", "false_contact", "Phantom contacts among them, deeper than 16 u.")),
                   field(&EngineTally::wrong, {"depths", {}}))
 };
 

@@ -16,14 +16,16 @@ void CleanCount::add_ties(ComparisonBits ties) {
 }
 
 void CleanCount::add_to(Tally& tally) const {
+  std::uint64_t separated = separated_, contact = contact_;
   for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
-    tally.trials += by_axes_[axes];
-    (axes != 0 ? tally.truth.separated : tally.truth.contact) += by_axes_[axes];
+    (axes != 0 ? separated : contact) += by_axes_[axes];
     if (std::has_single_bit(axes)) tally.axes[first_bit(axes)].sole_separator += by_axes_[axes];
   }
-  tally.trials += separated_ + contact_;
-  tally.truth.separated += separated_;
-  tally.truth.contact += contact_;
+  tally.trials += separated + contact;
+  tally.truth.separated += separated;
+  tally.truth.contact += contact;
+  tally.verdict.decided_separations += separated;
+  tally.verdict.decided_contacts += contact;
   tally.truth.touching += touching_;
   for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
 }

@@ -43,6 +43,12 @@ def folder_of(out: Any, name: str = "out") -> Optional[str]:
     return given[0]
 
 
+def _known(join: Callable[[Any], Any], verdicts: List[Dict[str, Any]], member: str) -> Any:
+    """The sum or maximum over families of what is None where nothing was looked at; None where it is in each."""
+    known = [one[member] for one in verdicts if one[member] is not None]
+    return join(known) if known else None
+
+
 @contextlib.contextmanager
 def query_files(queries: Any) -> Iterator[Tuple[List[str], str, str]]:
     """The paths of files of queries, and of ones that Queries are written to meanwhile; and the predicate and entry of these."""
@@ -189,24 +195,26 @@ class Record:
     def summary(self) -> List[Dict[str, Any]]:
         """Of each kernel and precision the sums over its families: `trials`; `decided`, those that it promises and has called
         contact or separated; `missed` and `phantom` contacts; and `deepest`, the greatest depth of these, as a share of the scene.
-        The last three are None where nothing was decided, and `deepest` where the predicate has no depth."""
+        `missed` is None where no contact was decided, `phantom` where no separation, `deepest` where neither, or the predicate has
+        no depth."""
         sums = []
         for kernel, decided in zip(self.json["kernels"], self._judged.decided()):
             families = list(kernel["families"].values())
             verdicts = [counts["verdict"] for counts in families]
-            missed, phantom = (sum(one[kind] for one in verdicts) for kind in ("false_separation", "false_contact"))
-            is_known = decided + missed + phantom > 0
-            has_depth = is_known and all(one["depths"] is not None for one in verdicts)
+            missed, phantom = (_known(sum, verdicts, kind) for kind in ("false_separation", "false_contact"))
+            has_depth = all(one["depths"] is not None for one in verdicts)
             sums.append({"kernel": kernel["id"], "precision": kernel["precision"], "trials": sum(counts["trials"] for counts in families),
-                         "decided": decided, "missed": missed if is_known else None, "phantom": phantom if is_known else None,
-                         "deepest": max(one["deepest"] for one in verdicts) if has_depth else None})
+                         "decided": decided, "missed": missed, "phantom": phantom,
+                         "deepest": _known(max, verdicts, "deepest") if has_depth else None})
         return sums
 
     def __repr__(self) -> str:
         lines = []
         for one in self.summary():
-            said = "nothing was decided" if one["missed"] is None else f"{one['missed']:,} missed and {one['phantom']:,} phantom contacts"
-            if one["missed"] is not None and one["decided"] < one["trials"]:
+            missed = "no contact decided" if one["missed"] is None else f"{one['missed']:,} missed"
+            phantom = "no separation decided" if one["phantom"] is None else f"{one['phantom']:,} phantom contacts"
+            said = f"{missed} and {phantom}" if one["decided"] else "nothing was decided"
+            if 0 < one["decided"] < one["trials"]:
                 said += f" among {one['decided']:,} that it promises and decided"
             lines.append(f"{one['kernel']} {one['precision']}: {one['trials']:,} queries, {said}")
         lines += [outcome.text for outcome in self.outcomes]

@@ -164,6 +164,9 @@ def test_what_decided_nothing_is_not_said_to_be_right():
     assert "declines binary32: 300 queries, nothing was decided\n" in repr(record)
     assert "<td>300</td><td>nothing</td><td>not known</td><td>not known</td><td>-</td>" in record._repr_html_()
     assert all_of_it["decided"] == 300 and all_of_it["deepest"] > 0 and "300 queries, nothing" not in repr(record).split("declines")[0]
+    verdicts = [kernel["families"]["tangent"]["verdict"] for kernel in record.json["kernels"]]
+    figures = ("false_separation", "false_contact", "deepest", "farthest_false_contact")
+    assert [[one[figure] is None for figure in figures] for one in verdicts] == [[True] * 4, [False] * 4]
     some = ax.kernel(lambda a, b, c, p, r: np.where(p[:, 0] > 0, 2, 0).astype(np.uint8), name="some", may_decline=True)
     assert re.search(r"phantom contacts among \d+ that it promises and decided", repr(ax.judge(some, family="tangent", trials=300, precision="binary32")))
 

@@ -220,6 +220,7 @@ function declining(name, separations) {
     verdict.undecided_contact = truth.contact;
     verdict.undecided_touching = truth.touching;
     verdict.undecided = truth.contact + (separations ? truth.separated : 0);
+    verdict.decided = verdict.decided_separations = separations ? 0 : truth.separated;
   }
   fs.writeFileSync(path.join(into, 'record.json'), JSON.stringify(record));
   render(into);

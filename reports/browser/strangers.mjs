@@ -44,9 +44,9 @@ function attach(into) {
                                       {name: 'vertex_a.radius', formulae: 'published', precision: 'binary32', status: 'open'}]});
   write('search.json', {kernel: 'published', precision: 'binary32', comparisons: [{name: 'plane.radius', attained_u: 350, proved_u: null}, {name: 'vertex_a.radius', attained_u: 7.9, proved_u: null}]});
   const mutant = (name, precision, more) => ({name, precision, caught: false, ...more});
-  write('mutation.json', {complete: false,
+  write('mutation.json', {complete: false, score: {binary16: {not_judged: 1}},
     mutants: [mutant('<i>published~swap:17</i>', 'binary32', {caught: true, family: 'lattice', queries: 12}), mutant('published~drop:3', 'binary32'),
-              mutant('published~same:1', 'binary32', {equivalent: 'a + b is b + a'}), mutant('published~drop:3', 'binary64', {caught: true})],
+              mutant('published~same:1', 'binary32', {equivalent: 'a + b is b + a'}), mutant('published~drop:3', 'binary64', {caught: true}), mutant('published~drop:3', 'binary16')],
     controls: [{kernel: 'packed', precision: 'binary64', claims: 'formulae', queries: 1000, flagged: 3}]});
   const figures = (worst) => Object.fromEntries(['plane', 'vertex_a', 'vertex_b', 'vertex_c', 'edge_ab', 'edge_bc', 'edge_ca']
     .map((axis) => [axis, {false_separation: 1, missed_separation: 2, p99_u: 3, worst_u: worst}]));
@@ -80,6 +80,8 @@ test('shows what other commands left in the folder, and links what it leaves out
   assert.match(mutation, /binary32: 1 of 2 mutants caught; 1 equivalent/);
   assert.match(mutation, /binary64: 1 of 1 mutants caught; 0 equivalent/);
   assert.match(mutation, /published~drop:3\s+binary64\s+yes/);
+  assert.match(mutation, /binary16: 1 mutants not judged: no query was valid/);
+  assert.match(mutation, /published~drop:3\s+binary16\s+not judged/);
   assert.match(mutation, /packed\s+binary64\s+formulae\s+1,000\s+3/);
   assert.equal(await page.locator('.plot canvas').count(), 2);
   await page.locator('#ladder details summary').click();

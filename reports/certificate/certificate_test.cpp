@@ -96,7 +96,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/5"))
+                HasSubstr("does not conform to axiscert-certificate/6"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());
@@ -181,10 +181,10 @@ TEST(CertificatePage, ShowsEveryLevelMarginAndLimit) {
 }
 
 TEST(CertificatePage, ASearchThatDecidedNothingForAGoalDidNotLookForIt) {
-  const auto cell_of = [](const Json& statement) {
+  const auto cell_of = [](const Json& statement, const char* goal = "critical_radius") {
     for (const InstrumentTable& table : report_of(statement).tables) {
       for (const auto& row : table.rows) {
-        if (row.size() > 2 && row[1] == "critical_radius") return row[2];
+        if (row.size() > 2 && row[1] == goal) return row[2];
       }
     }
     return std::string("no such row");
@@ -193,6 +193,11 @@ TEST(CertificatePage, ASearchThatDecidedNothingForAGoalDidNotLookForIt) {
   EXPECT_EQ(cell_of(statement), "not looked at");
   statement["predicate"]["search"]["precisions"]["binary32"]["looked_at"]["critical_radius"] = 1234;
   EXPECT_EQ(cell_of(statement), "none among 1,234 decided");
+  Json& search = statement["predicate"]["search"]["precisions"]["binary32"];
+  search["finds"]["number left"] = nullptr;
+  EXPECT_EQ(cell_of(statement, "number left"), "not looked at");
+  search["looked_at"]["number left"] = 12;
+  EXPECT_EQ(cell_of(statement, "number left"), "none among 12 judged") << "an answer may be decided without it";
 }
 
 // Nothing breaks where nothing is decided.

@@ -83,17 +83,21 @@ std::vector<ComparisonStatement> comparison_of(const Record& record) {
     ComparisonStatement& row = rows.emplace_back();
     row.kernel = std::string(entry.id);
     row.precision = entry.precision;
-    row.looked_at = evidence_of(entry).decided();
+    const Evidence evidence = evidence_of(entry);
+    row.looked_at = evidence.decided();
     row.undecided = verdict.undecided;
     row.invalid = verdict.invalid;
     row.unanswered = verdict.unanswered;
     row.median_ulps = ulps(entry.critical_radius.median_ulps);
     row.largest_ulps = ulps(entry.critical_radius.largest_ulps);
-    if (row.looked_at == 0) continue;
-    row.missed = verdict.false_separation;
-    row.deepest_missed = amount(verdict.deepest_false_separation.best(), 3);
-    row.phantom = verdict.false_contact;
-    row.deepest_phantom = amount(verdict.deepest_false_contact.best(), 3);
+    if (evidence.decided_for(FlipKind::false_separation) != 0) {
+      row.missed = verdict.false_separation;
+      row.deepest_missed = amount(verdict.deepest_false_separation.best(), 3);
+    }
+    if (evidence.decided_for(FlipKind::false_contact) != 0) {
+      row.phantom = verdict.false_contact;
+      row.deepest_phantom = amount(verdict.deepest_false_contact.best(), 3);
+    }
   }
   return rows;
 }

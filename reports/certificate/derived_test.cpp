@@ -125,6 +125,20 @@ TEST(ReducedRecord, LeadsToTheSameLevelsAsTheRecord) {
   }
 }
 
+TEST(Derived, OfContactsThatWereDeclinedNoneIsSaidToBeMissed) {
+  CertifiedRecord made = of_published();
+  for (KernelRecord& kernel : made.record.kernels) {
+    for (auto& [family, result] : kernel.families) {
+      result.verdict.undecided = result.verdict.undecided_contact = result.truth.contact;
+      result.verdict.undecided_touching = result.truth.touching;
+    }
+  }
+  for (const ComparisonStatement& row : derived_predicate(made.predicate, made.record).comparison) {
+    EXPECT_FALSE(row.missed || row.deepest_missed) << row.kernel;
+    EXPECT_TRUE(row.phantom && row.deepest_phantom) << row.kernel;
+  }
+}
+
 TEST(Derived, EachContradictionIsNamed) {
   struct Case {
     const char* says;

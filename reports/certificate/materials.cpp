@@ -213,12 +213,18 @@ void require_counts(const StretchCounts& counts, std::uint64_t queries, const st
               outside.trials - outside.contact <= truth.separated,
           "the queries outside its limits are more than those of their truth");
   std::uint64_t answered = outside.trials;
-  for (const std::uint64_t count :
-       {verdict.false_separation, verdict.false_contact, verdict.undecided, verdict.invalid, verdict.unanswered}) {
-    require(count <= queries, "more wrong or missing answers than queries");
+  for (const std::uint64_t count : {verdict.decided_contacts, verdict.decided_separations, verdict.undecided,
+                                    verdict.invalid, verdict.unanswered}) {
+    require(count <= queries, "more verdicts or missing answers than queries");
     answered += count;
   }
-  require(answered <= valid, "more wrong or missing answers than valid queries");
+  require(verdict.false_separation <= verdict.decided_contacts && verdict.false_contact <= verdict.decided_separations,
+          "more wrong answers than verdicts");
+  require(outside.false_separation <= outside.decided && outside.false_contact <= outside.decided &&
+              outside.decided <= outside.trials,
+          "more wrong answers than verdicts outside its limits");
+  // What touches may be neither right nor wrong.
+  require(answered <= valid && valid <= answered + truth.touching, "more or fewer answers than valid queries");
   require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
           "more declined contacts than declined queries");
   // A touching query that a kernel means to call separated is a contact, and a false one.
@@ -238,7 +244,7 @@ StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::
   none.verdict.engine.reset();
   if (whole.contains("contacts")) none.contacts.emplace();
   Json counts = json_of(none);
-  if (none.contacts) put_unseen(counts["contacts"], *none.contacts);
+  put_unseen(counts, none);
   counts.update(whole, true);
   const Json& verdict = counts["verdict"];
   if (verdict["deepest"] != std::max(verdict["deepest_false_separation"], verdict["deepest_false_contact"]))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
+#include "fuzz/search/method.h"
 #include "kernel/base/error.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"
@@ -260,11 +261,16 @@ class CertificatePage {
     for (const auto& [precision, search] : predicate_.search.precisions) {
       for (const auto& [goal, find] : search.finds) {
         const std::uint64_t looked_at = search.looked_at_for(goal);
+        const bool is_of_a_number = goal.starts_with(goal_names[Goal::number]);
         table.rows.push_back({precision, goal,
                               find             ? cell(find->depth ? find->depth : find->ulps)
                               : looked_at == 0 ? "not looked at"
-                                               : fmt::format("none among {} decided", thousands(looked_at)),
-                              goal == "critical_radius" ? "ulps" : "of the scene", thousands(search.evaluations)});
+                                               : fmt::format("none among {} {}", thousands(looked_at),
+                                                             is_of_a_number ? "judged" : "decided"),
+                              is_of_a_number                              ? "-"
+                              : goal == goal_names[Goal::critical_radius] ? "ulps"
+                                                                          : "of the scene",
+                              thousands(search.evaluations)});
       }
     }
     return table;

@@ -9,6 +9,7 @@
 #include "fuzz/fields/json_form.h"
 #include "kernel/outcome.h"
 #include "reports/run_folder/identity.h"
+#include "reports/wording/evidence.h"
 
 namespace axiscert {
 namespace {
@@ -52,18 +53,20 @@ class Collector {
     family_ = family;
     bases_ = result.base_triangles;
     const VerdictTally& verdict = result.verdict;
-    const std::uint64_t outside = verdict.outside_limits ? verdict.outside_limits->trials : 0;
-    among_ = result.trials - result.truth.invalid - outside;
-    decided_ = among_ - std::min(among_, verdict.undecided + verdict.invalid + verdict.unanswered);
-    add_count("verdict", "false_separation", verdict.false_separation);
-    add_count("verdict", "false_contact", verdict.false_contact);
-    add_count("verdict", "undecided", verdict.undecided);
+    const Evidence evidence = evidence_of(kernel, result);
+    const std::uint64_t contacts = evidence.decided_for(FlipKind::false_separation),
+                        separations = evidence.decided_for(FlipKind::false_contact);
+    among_ = evidence.population - evidence.outside;
+    over(contacts).add_count("verdict", "false_separation", verdict.false_separation);
+    over(separations).add_count("verdict", "false_contact", verdict.false_contact);
+    over(evidence.decided()).add_count("verdict", "undecided", verdict.undecided);
     add_count("verdict", "invalid", verdict.invalid);
     add_count("verdict", "unanswered", verdict.unanswered);
-    add_maximum("verdict", "deepest_false_separation", verdict.deepest_false_separation);
-    add_maximum("verdict", "deepest_false_contact", verdict.deepest_false_contact);
-    if (result.contacts) add_contacts(*result.contacts);
+    over(contacts).add_maximum("verdict", "deepest_false_separation", verdict.deepest_false_separation);
+    over(separations).add_maximum("verdict", "deepest_false_contact", verdict.deepest_false_contact);
+    if (result.contacts) over(contacts).add_contacts(*result.contacts);
     if (!result.comparisons) return;
+    over(evidence.decided());
     for (const auto& [comparison, tally] : *result.comparisons) {
       add_count(comparison, "false_separation", tally.false_separation);
       add_count(comparison, "missed_separation", tally.missed_separation);
@@ -77,11 +80,16 @@ class Collector {
     kernel_ = finding.kernel;
     precision_ = finding.precision ? name(*finding.precision) : "";
     family_ = finding.family.value_or("");
-    decided_ = 0;
-    add("finding", name(finding.kind), Cell::Kind::finding).figure = finding.count;
+    over(0).add("finding", name(finding.kind), Cell::Kind::finding).figure = finding.count;
   }
 
  private:
+  // What follows is of figures that so many answers could have raised.
+  Collector& over(std::uint64_t looked_at) {
+    looked_at_ = looked_at;
+    return *this;
+  }
+
   // What is told beside the verdicts of one family; nothing for what the kernel does not give.
   void add_contacts(const ContactTally& contacts) {
     const auto add_tunnels = [&](const char* place, const TunnelTally& tunnels) {
@@ -91,58 +99,61 @@ class Collector {
     if (contacts.missed) add_tunnels("missed", *contacts.missed);
     const std::uint64_t within = std::exchange(among_, contacts.answers);
     if (const auto& time = contacts.time) {
-      add_count("time", "late", time->late);
+      over(time->judged()).add_count("time", "late", time->late);
       add_count("time", "early", time->early);
-      add_count("time", "none", time->none);
+      over(contacts.answers).add_count("time", "none", time->none);
       add_count("time", "invalid", time->invalid);
+      over(time->judged());
       add_tunnels("time", time->late_tunnels);
       add_maximum("time", "latest_u", time->late_errors.largest_in_u);
       add_maximum("time", "earliest_u", time->early_errors.largest_in_u);
     }
     if (const auto& consistency = contacts.consistency) {
-      add_count("consistency", "positive", consistency->positive);
+      const std::uint64_t judged = contacts.separation ? contacts.separation->judged : 0;
+      over(judged).add_count("consistency", "positive", consistency->positive);
       add_count("consistency", "negative", consistency->negative);
-      add_count("consistency", "missing", consistency->missing);
+      over(contacts.answers).add_count("consistency", "missing", consistency->missing);
     }
     if (const auto& separation = contacts.separation) {
-      add_count("separation", "none", separation->none);
-      add_maximum("separation", "largest_error", separation->largest_error);
+      over(contacts.answers).add_count("separation", "none", separation->none);
+      over(separation->judged).add_maximum("separation", "largest_error", separation->largest_error);
       add_maximum("separation", "largest_in_u", separation->largest_in_u);
     }
     if (const auto& feature = contacts.feature) {
       among_ = feature->judged;
-      add_count("feature", "wrong", feature->wrong);
+      over(feature->judged).add_count("feature", "wrong", feature->wrong);
       add_count("feature", "unnamed", feature->unnamed);
       among_ = contacts.answers;
-      add_count("feature", "none", feature->none);
-      add_maximum("feature", "largest_error", feature->largest_error);
+      over(contacts.answers).add_count("feature", "none", feature->none);
+      over(feature->judged).add_maximum("feature", "largest_error", feature->largest_error);
     }
     if (const auto& normal = contacts.normal) {
-      add_count("normal", "none", normal->none);
-      add_maximum("normal", "largest_angle", normal->largest_angle);
-      add_maximum("normal", "largest_length_error", normal->largest_length_error);
+      over(contacts.answers).add_count("normal", "none", normal->none);
+      over(normal->judged).add_maximum("normal", "largest_angle", normal->largest_angle);
+      over(normal->lengths).add_maximum("normal", "largest_length_error", normal->largest_length_error);
     }
     if (const auto& pushed = contacts.pushed) {
       among_ = pushed->judged;
-      add_count("pushed", "flips", pushed->flips);
+      over(pushed->with_a_side()).add_count("pushed", "flips", pushed->flips);
       among_ = contacts.answers;
-      add_maximum("pushed", "largest_left", pushed->largest_left);
+      over(pushed->judged).add_maximum("pushed", "largest_left", pushed->largest_left);
     }
     const auto add_point = [&](const char* place, const std::optional<PointTally>& point) {
       if (!point) return;
-      add_count(place, "none", point->none);
-      add_maximum(place, "largest_error", point->largest_error);
+      over(contacts.answers).add_count(place, "none", point->none);
+      over(point->judged).add_maximum(place, "largest_error", point->largest_error);
     };
     add_point("point", contacts.point);
     add_point("point_a", contacts.point_a);
     add_point("point_b", contacts.point_b);
-    if (contacts.points) add_maximum("points", "largest_error", contacts.points->largest_error);
+    if (const auto& points = contacts.points)
+      over(points->judged).add_maximum("points", "largest_error", points->largest_error);
     among_ = within;
   }
 
   Cell& add(const std::string& place, std::string_view member, Cell::Kind kind) {
     return cells_.emplace_back(
-        Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, decided_, identity()});
+        Cell{kernel_, precision_, family_, place, std::string(member), kind, 0, {}, 0, looked_at_, identity()});
   }
   void add_count(const std::string& place, std::string_view member, std::uint64_t figure) {
     Cell& cell = add(place, member, Cell::Kind::count);
@@ -164,7 +175,7 @@ class Collector {
   Identities identities_;
   std::string kernel_, precision_, family_;
   std::uint64_t among_ = 0, bases_ = 0;  // queries among which is counted, and those that do not share a triangle
-  std::uint64_t decided_ = 0;
+  std::uint64_t looked_at_ = 0;
 };
 
 bool shows_flip(const WitnessRecord& witness, const Cell& cell) {
@@ -244,6 +255,23 @@ std::vector<Cell> cells_of(const Record& record) {
     for (const auto& [family, result] : kernel.families) collector.add_family(kernel, family, result);
   }
   return cells;
+}
+
+std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y) {
+  const auto scaled = [](const Cell& cell, bool up) {
+    const std::uint64_t n = cell.of.trials, m = cell.independent;
+    if (m >= n) return cell.of;
+    const auto product = static_cast<unsigned __int128>(cell.of.failures) * m;
+    return Proportion{static_cast<std::uint64_t>((product + (up ? n - 1 : 0)) / n), m};
+  };
+  const auto cross = [](const Proportion& u, const Proportion& v) {
+    return static_cast<unsigned __int128>(u.failures) * v.trials;
+  };
+  const bool x_is_lower = cross(x.of, y.of) < cross(y.of, x.of);
+  std::pair both = {scaled(x, x_is_lower), scaled(y, !x_is_lower)};
+  const auto left = cross(both.first, both.second), right = cross(both.second, both.first);
+  if (x_is_lower ? left >= right : left <= right) both.second = both.first;  // scaling left no difference
+  return both;
 }
 
 std::string fingerprint(const Json& key) { return short_sha256(key.dump()); }

@@ -34,7 +34,7 @@ struct Cell {
   Json figure = 0;                // as the record has it: a maximum may be the text of a number beyond binary64
   Proportion of;                  // for a count: the number of queries among which it was counted
   std::uint64_t independent = 0;  // how many of these queries do not share a triangle
-  std::uint64_t decided = 0;      // of the family's promised queries, those that the kernel called either
+  std::uint64_t looked_at = 0;    // the answers that could have made it more: of missed contacts, decided contacts
   std::string identity = {};      // what other runs know the kernel by; `kernel` is its id in this record
 
   bool is_of_contacts() const { return is_place_of_contacts(place); }
@@ -55,6 +55,10 @@ bool is_error_in_u(const Cell& cell);
 
 // The cells in the record's order, including those with the figure zero.
 std::vector<Cell> cells_of(const Record& record);
+
+// The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
+// is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
+std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 
 // The first 16 hex digits of the SHA-256 of a cell's key: the same in every run that has the cell, whatever its figure.
 std::string fingerprint(const Json& key);

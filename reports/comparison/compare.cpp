@@ -361,31 +361,10 @@ class Comparer {
 
 }  // namespace
 
-std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y) {
-  const auto scaled = [](const Cell& cell, bool up) {
-    const std::uint64_t n = cell.of.trials, m = cell.independent;
-    if (m >= n) return cell.of;
-    const auto product = static_cast<unsigned __int128>(cell.of.failures) * m;
-    return Proportion{static_cast<std::uint64_t>((product + (up ? n - 1 : 0)) / n), m};
-  };
-  const auto cross = [](const Proportion& u, const Proportion& v) {
-    return static_cast<unsigned __int128>(u.failures) * v.trials;
-  };
-  const bool x_is_lower = cross(x.of, y.of) < cross(y.of, x.of);
-  std::pair both = {scaled(x, x_is_lower), scaled(y, !x_is_lower)};
-  const auto left = cross(both.first, both.second), right = cross(both.second, both.first);
-  if (x_is_lower ? left >= right : left <= right) both.second = both.first;  // scaling left no difference
-  return both;
-}
-
 std::size_t RunComparison::alarms() const {
   const auto is_alarm = [](const auto& item) { return item.is_alarm(); };
   return static_cast<std::size_t>(std::ranges::count_if(cells, is_alarm) + std::ranges::count_if(promises, is_alarm) +
                                   std::ranges::count_if(replayed, is_alarm));
-}
-
-std::string ComparedPromise::text() const {
-  return fmt::format("{} {} promises {}: {}", kernel, precision, is_alarm() ? "less" : "other things", change.text());
 }
 
 bool RunComparison::has(Absence absence) const {

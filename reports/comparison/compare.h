@@ -37,9 +37,9 @@ struct ComparedCell {
   bool is_compared() const {
     return before.kind == Cell::Kind::count && before.of.trials != 0 && after.of.trials != 0 && (same_queries || p);
   }
-  // No zero that stands for nothing: a kernel that decides nothing is wrong nowhere, and was not looked at.
+  // No zero that stands for nothing: a kernel that decides no contact misses none, and was not looked at.
   bool is_zero_in_both() const { return before.is_zero() && after.is_zero(); }
-  bool is_looked_at() const { return before.decided != 0 && after.decided != 0; }
+  bool is_looked_at() const { return before.looked_at != 0 && after.looked_at != 0; }
   // The id of the kernel, or its identity where the two runs have it under different ids.
   const std::string& kernel() const { return before.kernel == after.kernel ? before.kernel : after.identity; }
 };
@@ -69,18 +69,6 @@ struct ComparedKernel {
             {"changed", "Whether its files have other bytes; null where a record has no digest of them."}))
 };
 
-// A kernel's promise in one precision, where it is another in NEW.
-struct ComparedPromise {
-  std::string kernel, precision;
-  PromiseChange change;
-
-  bool is_alarm() const { return !change.less.empty(); }
-  // "K binary32 promises less: radius from 1e+30, was none", or "... promises other things: ...".
-  std::string text() const;
-  AXISCERT_FIELDS(ComparedPromise, AXISCERT_FIELD(kernel, "What both runs know it by."),
-                  AXISCERT_FIELD(precision, "The precision."), inlined(&Of::change))
-};
-
 struct RunComparison {
   std::vector<ComparedCell> cells;  // in OLD's order, then the cells that only findings of NEW have
   std::vector<NotCompared> not_compared;
@@ -98,10 +86,6 @@ struct RunComparison {
   bool has(Absence absence) const;
   bool passes() const { return alarms() == 0 && compared() != 0 && !has(Absence::fails); }
 };
-
-// The counts of both cells as independent trials: queries that share a triangle count as one, and the count of failures
-// is scaled down with them. A remaining fraction is rounded towards the other cell's rate, which never causes an alarm.
-std::pair<Proportion, Proportion> independent(const Cell& x, const Cell& y);
 
 // Throws Error where two records are of different predicates; `before_name` and `after_name` are those that it shows.
 void require_same_predicate(const Record& before, const Record& after, const std::string& before_name,

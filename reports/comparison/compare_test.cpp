@@ -63,6 +63,27 @@ TEST(Compare, AKernelThatDecidesNothingIsWrongNowhereLookedAt) {
   EXPECT_THAT(markdown_of(record, record, silent), HasSubstr("not looked at"));
 }
 
+// It decides every separation and no contact: it misses none of nothing.
+TEST(Compare, AKernelThatDecidesNoContactMissesNoneLookedAt) {
+  Json record = stored_record();
+  for (Json* kernels : {&record["kernels"], &record["plan"]["kernels"]}) kernels->erase(0);
+  for (Json& family : record["kernels"][0]["families"]) {
+    Json& verdict = family["verdict"];
+    for (Json& figure : verdict) {
+      if (figure.is_number()) figure = 0;
+    }
+    verdict["undecided"] = verdict["undecided_contact"] = family["truth"]["contact"];
+    verdict["undecided_touching"] = family["truth"]["touching"];
+  }
+  const RunComparison found = compare_records(record, record);
+  for (const ComparedCell& cell : found.cells) {
+    if (!cell.is_zero_in_both()) continue;
+    EXPECT_EQ(cell.is_looked_at(), cell.before.member.find("false_separation") == std::string::npos)
+        << cell.before.name();
+  }
+  EXPECT_EQ(data_of(record, record, found)["not_looked_at"], 4) << "a count and a depth of each family";
+}
+
 TEST(Compare, RunsOfTwoPredicatesAreRefused) {
   Json other = stored_record();
   other["plan"]["predicate"] = "point-box";
@@ -301,6 +322,20 @@ TEST(CompareContacts, MeasuresThatOnlyOneRunGivesAreSaid) {
   EXPECT_TRUE(gained.passes());
   EXPECT_THAT(answer(gained), testing::StartsWith("no change; only in NEW: <script> binary32: 'time' of contacts; "));
   EXPECT_THAT(markdown_of(with, without, lost), HasSubstr("tangent: contacts"));
+}
+
+TEST(CompareContacts, ZerosOfNoTimeAreNotLookedAt) {
+  Json untimed = contacts(0, 0, 0);
+  untimed["time"]["none"] = 900;
+  untimed["time"]["early"] = untimed["time"]["best"] = 0;
+  untimed["time"]["given"] = given_beside(0);
+  for (const char* figure : {"late_errors", "late_tunnels", "early_errors", "largest_gap"})
+    untimed["time"][figure] = nullptr;
+  const Json record = motions(untimed);
+  for (const ComparedCell& cell : compare_records(record, record).cells) {
+    if (cell.before.family != "tangent" || cell.before.place != "time" || !cell.is_zero_in_both()) continue;
+    EXPECT_EQ(cell.is_looked_at(), cell.before.member == "invalid") << cell.before.name();
+  }
 }
 
 TEST(CompareContacts, AnotherPredicateHasNone) {

@@ -168,6 +168,10 @@ PromiseChange change_of(const Promise& before, const Promise& now) {
   return change;
 }
 
+std::string ComparedPromise::text() const {
+  return fmt::format("{} {} promises {}: {}", kernel, precision, is_alarm() ? "less" : "other things", change.text());
+}
+
 std::vector<std::string> words_of_promise(const Promise& promise) {
   std::vector<std::string> words = {fmt::format("touching={}", name(promise.touching))};
   for (const Bound& bound : bounds) {

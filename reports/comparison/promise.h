@@ -36,6 +36,18 @@ struct PromiseChange {
 };
 PromiseChange change_of(const Promise& before, const Promise& now);
 
+// A kernel's promise in one precision, where it is another in NEW.
+struct ComparedPromise {
+  std::string kernel, precision;
+  PromiseChange change;
+
+  bool is_alarm() const { return !change.less.empty(); }
+  // "K binary32 promises less: radius from 1e+30, was none", or "... promises other things: ...".
+  std::string text() const;
+  AXISCERT_FIELDS(ComparedPromise, AXISCERT_FIELD(kernel, "What both runs know it by."),
+                  AXISCERT_FIELD(precision, "The precision."), inlined(&Of::change))
+};
+
 // The promise in words that a file can hold: "touching=contact", "radius>=1e+30", "start=reported",
 // "may_decline". What it does not limit is not named, but for `touching` and the policies of
 // a predicate of motions.

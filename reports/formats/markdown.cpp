@@ -38,6 +38,12 @@ std::string links(const LinkCounts& counts) {
   return broken.empty() ? "none" : fmt::format("{}", fmt::join(broken, ", "));
 }
 
+// The same of verdicts; "-" where no link could show.
+std::string links_of(const KernelRecord& kernel, const FamilyRecord& family) {
+  const std::string shown = links(family.verdict.links);
+  return shown == "none" && evidence_of(kernel, family).decided() == 0 ? "-" : shown;
+}
+
 // The number of the first query with each link, counted from 1; 0: none.
 LinkCounts first_of(const EnumArray<Link, FirstQuery>& first_by_link) {
   LinkCounts numbers{};
@@ -124,7 +130,7 @@ class MarkdownReport {
         const VerdictTally& verdict = total.verdict;
         cells.insert(
             cells.end(),
-            {links(verdict.links), thousands(total.trials), with_rate(FlipKind::false_separation, kernel, total),
+            {links_of(kernel, total), thousands(total.trials), with_rate(FlipKind::false_separation, kernel, total),
              deepest_of(FlipKind::false_separation, kernel, total), with_rate(FlipKind::false_contact, kernel, total),
              deepest_of(FlipKind::false_contact, kernel, total), thousands(verdict.undecided),
              thousands(verdict.invalid), thousands(verdict.unanswered)});
@@ -196,7 +202,7 @@ class MarkdownReport {
     return {markdown_text(kernel.id),
             std::string(name(kernel.precision)),
             markdown_text(family) + (result.exact_arithmetic ? " (exact arithmetic)" : ""),
-            links(verdict.links),
+            links_of(kernel, result),
             thousands(result.trials),
             thousands(truth.separated),
             thousands(truth.contact),
@@ -223,8 +229,10 @@ class MarkdownReport {
       const std::optional<OutsideTally>& apart = result.verdict.outside_limits;
       if (!apart) return;
       any = true;
-      cells.insert(cells.end(), {thousands(apart->trials), thousands(apart->false_separation),
-                                 thousands(apart->false_contact), depth(apart->deepest), thousands(apart->unanswered)});
+      const auto decided = [&](std::string shown) { return apart->decided == 0 ? "-" : std::move(shown); };
+      cells.insert(cells.end(), {thousands(apart->trials), decided(thousands(apart->false_separation)),
+                                 decided(thousands(apart->false_contact)), decided(depth(apart->deepest)),
+                                 thousands(apart->unanswered)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -246,7 +254,8 @@ class MarkdownReport {
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
       cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : "none",
-                                 thousands(found.images), thousands(found.verdicts), thousands(found.comparisons)});
+                                 thousands(found.images), found.images == 0 ? "-" : thousands(found.verdicts),
+                                 found.images == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -300,9 +309,10 @@ class MarkdownReport {
                       "declined", "called invalid"},
                      3);
     const auto row = [&](std::vector<std::string> cells, const CriticalRadiusRecord& radius) {
-      cells.insert(cells.end(), {thousands(radius.sampled), optional_amount(radius.median_ulps),
-                                 optional_amount(radius.largest_ulps), thousands(radius.unbounded),
-                                 thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
+      cells.insert(cells.end(),
+                   {thousands(radius.sampled), optional_amount(radius.median_ulps),
+                    optional_amount(radius.largest_ulps), radius.sampled == 0 ? "-" : thousands(radius.unbounded),
+                    thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
       section.add_row(cells);
     };
     for (const KernelRecord& kernel : record_.kernels) {

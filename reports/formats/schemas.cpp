@@ -116,9 +116,9 @@ DataTable listed_rows(const Json& rows, DataColumns columns) {
   return {std::move(columns), std::vector<Json>(rows.begin(), rows.end())};
 }
 
-// A row with `first` before what it has.
+// A row with `first` before what it has, which is nothing where it is null.
 Json extended(Json first, const Json& row) {
-  first.update(row);
+  if (!row.is_null()) first.update(row);
   return first;
 }
 

@@ -11,7 +11,7 @@ namespace axiscert {
 
 // A format: its schema follows from the fields of what is written.
 struct SchemaEntry {
-  std::string_view name;  // "ladder", of the schema axiscert-ladder/3
+  std::string_view name;  // "ladder", of the schema axiscert-ladder/4
   Json (*schema)();
 };
 std::span<const SchemaEntry> schemas();

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -17,55 +16,25 @@
 namespace axiscert {
 namespace {
 
-// What an argument is, and the greatest that says anything.
-struct ContactBound {
-  const char *letter, *what, *example;
-  double least, most;
-};
-constexpr ContactBound displacement_bound = {"U",
-                                             "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more, or a "
-                                             "length of the way such as 1mm",
-                                             "64", 1, 1e300},
-                       scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
-                       separation_bound = {"E", "a share of the scene, from 0 to 1, or a length such as 1mm", "0.001",
-                                           0, 1},
-                       angle_bound = {"DEG", "an angle in degrees, from 0 to 180", "0.1", 0, 180},
-                       length_bound = {"E", "a difference from the length 1, from 0 to 1", "0.001", 0, 1},
-                       left_bound = {"F", "a share of the depth, from 0 to 2, of at most six digits", "0.001", 0, 2};
-
-double bound_of(const AskedLevel& asked, const ContactBound& bound) {
-  double most = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, most);
-  if (problem != std::errc() || stop != end || !(most >= bound.least && most <= bound.most)) {
-    throw Error(fmt::format("requirement '{}': {} is {}, as in {}={}", asked.text, bound.letter, bound.what, asked.name,
-                            bound.example));
-  }
-  return most;
-}
+constexpr NumberBound displacement_bound = {"U",
+                                            "a number of u of the displacement (u = 2^-24 or 2^-53), 1 or more, or a "
+                                            "length of the way such as 1mm",
+                                            "64", 1, 1e300},
+                      scene_bound = {"D", "a share of the scene, from 0 to 1", "0.001", 0, 1},
+                      separation_bound = {"E", "a share of the scene, from 0 to 1, or a length such as 1mm", "0.001", 0,
+                                          1},
+                      angle_bound = {"DEG", "an angle in degrees, from 0 to 180", "0.1", 0, 180},
+                      length_bound = {"E", "a difference from the length 1, from 0 to 1", "0.001", 0, 1},
+                      left_bound = {"F", "a share of the depth, from 0 to 2, of at most six digits", "0.001", 0, 2};
 
 // The record has six digits of what is left, rounded up.
 double left_argument(const AskedLevel& asked) {
-  const double most = bound_of(asked, left_bound);
+  const double most = number_argument(asked, left_bound);
   if (fmt::format("{:.6g}", most) != fmt::format("{}", most)) {
     throw Error(fmt::format("requirement '{}': F is {}, as in {}={}", asked.text, left_bound.what, asked.name,
                             left_bound.example));
   }
   return most;
-}
-
-// A bound in the number's own unit, or as a length.
-struct SizeBound {
-  double most;
-  bool is_length;
-
-  std::string text(std::string_view unit) const {
-    return is_length ? metric_text(most) : fmt::format("{} {}", most, unit);
-  }
-};
-SizeBound size_bound(const AskedLevel& asked, const ContactBound& bound) {
-  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
-  return {bound_of(asked, bound), false};
 }
 
 // How many answers of a family have the number that a level is about, and how many have none though there is one.
@@ -148,7 +117,7 @@ void for_each_part(const Subject& subject, std::optional<Part> ContactTally::*me
 }
 
 LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
-  const SizeBound bound = size_bound(asked, displacement_bound);
+  const SizeLimit bound = size_limit(asked, displacement_bound);
   const double metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found = look_at(
       subject,
@@ -175,7 +144,7 @@ LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
 }
 
 LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) {
-  const SizeBound bound = size_bound(asked, separation_bound);
+  const SizeLimit bound = size_limit(asked, separation_bound);
   const double metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found = look_at(subject, counts_of(&ContactTally::separation), MeasureKind::separation, "separation",
                                 "a separation to compare");
@@ -210,7 +179,7 @@ LevelFindings judge_feature(const AskedLevel& asked, const Subject& subject) {
       subject.add_shown(found.failures, family, feature.wrong, "features that are not touched first", "a feature");
       return;
     }
-    const double most = bound_of(asked, scene_bound), largest = feature.largest_error.best();
+    const double most = number_argument(asked, scene_bound), largest = feature.largest_error.best();
     subject.add_shown(found.failures, family, feature.unnamed, "features that there are not", "a feature");
     if (largest > most) {
       subject.add_shown(
@@ -240,7 +209,7 @@ LevelFindings look_at_normals(const Subject& subject, const Counts& counts, std:
 }
 
 LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
-  const double most = bound_of(asked, angle_bound);
+  const double most = number_argument(asked, angle_bound);
   LevelFindings found = look_at_normals(subject, counts_of(&ContactTally::normal), "a normal to compare");
   for_each_part(subject, &ContactTally::normal, [&](const std::string& family, const NormalTally& normal) {
     const double degrees = normal.largest_angle.best() * 180 / std::numbers::pi;
@@ -251,7 +220,7 @@ LevelFindings judge_normal(const AskedLevel& asked, const Subject& subject) {
 }
 
 LevelFindings judge_unit(const AskedLevel& asked, const Subject& subject) {
-  const double most = bound_of(asked, length_bound);
+  const double most = number_argument(asked, length_bound);
   const Counts lengths = [](const ContactTally& contacts) {
     return contacts.normal ? std::optional(Given{contacts.normal->lengths, contacts.normal->none}) : std::nullopt;
   };
@@ -301,7 +270,7 @@ LevelFindings judge_left(const AskedLevel& asked, const Subject& subject) {
 }
 
 LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
-  const double most = bound_of(asked, scene_bound);
+  const double most = number_argument(asked, scene_bound);
   const bool has_pair = has_measure(predicate_of(subject.record().plan), MeasureKind::point_b);
   LevelFindings found =
       has_pair
@@ -324,7 +293,7 @@ std::string feature_sentence(const AskedLevel& asked) {
   return fmt::format(
       "no feature beside a contact but one that is touched first, or in whose region the centre is then "
       "but for {} of the scene",
-      bound_of(asked, scene_bound));
+      number_argument(asked, scene_bound));
 }
 
 constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"}, degrees[] = {"0.1"};
@@ -334,10 +303,10 @@ constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"}, degrees[] = {"
 extern const GateLevel early_level = {
     .usage = "early=U",
     .meaning = "no time before the best one by more than U, u of the displacement or a length of the way such as 1mm",
-    .check = [](const AskedLevel& asked) { size_bound(asked, displacement_bound); },
+    .check = [](const AskedLevel& asked) { size_limit(asked, displacement_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          const SizeBound bound = size_bound(asked, displacement_bound);
+          const SizeLimit bound = size_limit(asked, displacement_bound);
           return fmt::format(
               "no time of contact before the best one by more than {}{}, and none that is missing or outside [0, 1]",
               bound.text("u"), bound.is_length ? " of the way" : " of the displacement");
@@ -350,13 +319,13 @@ extern const GateLevel separation_level = {
     .meaning =
         "no separation off by more than E, a share of the scene or a length such as 1mm, and none that "
         "contradicts its verdict",
-    .check = [](const AskedLevel& asked) { size_bound(asked, separation_bound); },
+    .check = [](const AskedLevel& asked) { size_limit(asked, separation_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format(
               "no separation that is off by more than {}, contradicts its verdict, or is missing beside "
               "other numbers",
-              size_bound(asked, separation_bound).text("of the scene"));
+              size_limit(asked, separation_bound).text("of the scene"));
         },
     .judge = judge_separation,
     .in_certificates = shares};
@@ -366,7 +335,7 @@ extern const GateLevel feature_level = {
     .meaning = "no wrong feature; with D, none but where the centre is within D of the scene of its region",
     .check =
         [](const AskedLevel& asked) {
-          if (asked.has_argument) bound_of(asked, scene_bound);
+          if (asked.has_argument) number_argument(asked, scene_bound);
         },
     .sentence = feature_sentence,
     .judge = judge_feature,
@@ -375,22 +344,22 @@ extern const GateLevel feature_level = {
 extern const GateLevel normal_level = {
     .usage = "normal=DEG",
     .meaning = "no normal that is off by more than DEG degrees, where there is a single exact one",
-    .check = [](const AskedLevel& asked) { bound_of(asked, angle_bound); },
+    .check = [](const AskedLevel& asked) { number_argument(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no normal that is off by more than {} degrees", bound_of(asked, angle_bound));
+          return fmt::format("no normal that is off by more than {} degrees", number_argument(asked, angle_bound));
         },
     .judge = judge_normal,
     .in_certificates = degrees};
 
 extern const GateLevel unit_level = {.usage = "unit=E",
                                      .meaning = "no normal that is longer or shorter than 1 by more than E",
-                                     .check = [](const AskedLevel& asked) { bound_of(asked, length_bound); },
+                                     .check = [](const AskedLevel& asked) { number_argument(asked, length_bound); },
                                      .sentence =
                                          [](const AskedLevel& asked) {
                                            return fmt::format(
                                                "no normal that is longer or shorter than 1 by more than {}",
-                                               bound_of(asked, length_bound));
+                                               number_argument(asked, length_bound));
                                          },
                                      .judge = judge_unit,
                                      .in_certificates = shares};
@@ -413,12 +382,12 @@ extern const GateLevel left_level = {
 
 extern const GateLevel point_level = {.usage = "point=D",
                                       .meaning = "no point of contact that is off by more than D of the scene",
-                                      .check = [](const AskedLevel& asked) { bound_of(asked, scene_bound); },
+                                      .check = [](const AskedLevel& asked) { number_argument(asked, scene_bound); },
                                       .sentence =
                                           [](const AskedLevel& asked) {
                                             return fmt::format(
                                                 "no point of contact that is off by more than {} of the scene",
-                                                bound_of(asked, scene_bound));
+                                                number_argument(asked, scene_bound));
                                           },
                                       .judge = judge_point,
                                       .in_certificates = shares};

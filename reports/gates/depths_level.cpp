@@ -23,7 +23,7 @@ LevelFindings judge_depths(const Subject& subject, const AllowedDepths& allowed)
       if (most != no_wrong) {
         how_deep = fmt::format(", the worst by {}: {} is allowed",
                                allowed.are_lengths ? metric_text(metres) : fmt::format("{:.4g} of the scene", deepest),
-                               DepthLimit{most, allowed.are_lengths}.text());
+                               SizeLimit{most, allowed.are_lengths}.text());
       }
       if (allowed.are_lengths) {
         subject.add_shown(found.failures, family, count, what + how_deep, fmt::format("farthest {}", name(kind)));
@@ -57,7 +57,7 @@ void check_conservative(const AskedLevel& asked) {
 }
 AllowedDepths conservative_depths(const AskedLevel& asked) {
   if (!asked.has_argument) return {no_wrong, any_depth};
-  const DepthLimit limit = depth_argument(asked);
+  const SizeLimit limit = depth_argument(asked);
   return {no_wrong, limit.most, limit.is_length};
 }
 
@@ -85,7 +85,7 @@ LevelFindings judge_conservative(const AskedLevel& asked, const Subject& subject
 }
 
 AllowedDepths either_way(const AskedLevel& asked) {
-  const DepthLimit limit = depth_argument(asked);
+  const SizeLimit limit = depth_argument(asked);
   return {limit.most, limit.most, limit.is_length};
 }
 

@@ -136,8 +136,19 @@ std::string fewest_text(const Subject& subject, const LevelFindings& found, cons
 }
 
 std::string UntakenLines::text() const {
-  return fmt::format("{} of {} queries of {}, which are of {}: it does not exist in it", thousands(count),
-                     thousands(all), family, name(precision));
+  return fmt::format("{} of {} queries of {}, which are of {}: {}", thousands(count), thousands(all), family,
+                     name(precision), why);
+}
+
+std::vector<UntakenLines> lines_left_out(const Record& record) {
+  std::vector<UntakenLines> lines;
+  for (const FileRecord& file : record.plan.files) {
+    if (!file.left_out) continue;
+    const std::string name = file.name, family = name == "corpus" ? name : "queries/" + name;
+    for (const auto& [precision, count] : *file.left_out)
+      lines.push_back({family, precision, count, file.queries.value_or(count), "the run was not to ask them"});
+  }
+  return lines;
 }
 
 std::vector<UntakenLines> lines_it_cannot_take(const Record& record, const std::string& id) {
@@ -150,7 +161,7 @@ std::vector<UntakenLines> lines_it_cannot_take(const Record& record, const std::
       const bool is_taken = std::ranges::any_of(record.kernels, [&, precision = precision](const KernelRecord& kernel) {
         return kernel.id == id && kernel.precision == precision;
       });
-      if (count != 0 && !is_taken) lines.push_back({family, precision, count, all});
+      if (count != 0 && !is_taken) lines.push_back({family, precision, count, all, "it does not exist in it"});
     }
   }
   return lines;

@@ -23,15 +23,19 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
 // another kernel has.
 std::string fewest_text(const Subject& subject, const LevelFindings& found, const AskedLevel& asked);
 
-// Queries of a file in a precision in which a kernel does not exist.
+// Queries of a file in a precision in which they were not asked.
 struct UntakenLines {
   std::string family;
   Precision precision;
   std::uint64_t count, all;
+  const char* why;
 
   // "6 of 7 queries of queries/bad.jsonl, which are of binary64: it does not exist in it".
   std::string text() const;
 };
+// A kernel does not exist in it.
 std::vector<UntakenLines> lines_it_cannot_take(const Record& record, const std::string& id);
+// --precision chose the other one.
+std::vector<UntakenLines> lines_left_out(const Record& record);
 
 }  // namespace axiscert

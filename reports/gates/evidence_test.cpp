@@ -44,6 +44,7 @@ Json& verdict_of(Json& record, const char* name = "lattice") { return family_of(
 
 void put_outside(Json& verdict, std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
   verdict["outside_limits"] = {{"trials", contact + separated},
+                               {"decided", contact + separated},
                                {"false_separation", 0},
                                {"false_contact", 0},
                                {"unanswered", 0},
@@ -174,6 +175,27 @@ TEST(LookedAt, LinesOfAPrecisionInWhichTheKernelDoesNotExistAreLeftOut) {
   record["kernels"].push_back(wide);
   for (const LevelOutcome& each : outcomes_at(record, "exact"))
     EXPECT_THAT(each.leaves_out, testing::Not(HasSubstr(lines)));
+}
+
+TEST(LookedAt, LinesThatPrecisionLeavesOutAreSaidWithMet) {
+  Json record = right_kernel();
+  EXPECT_THAT(judged_at(record, "exact").text(), testing::Not(HasSubstr("left out")));
+  const std::string family = "queries/seven.jsonl";
+  kernel_of(record)["families"][family] = family_of(record);
+  record["plan"]["families"].push_back(family);
+  record["plan"]["trials"][family] = {{"binary32", 5000}};
+  record["plan"]["files"].push_back({{"name", "seven.jsonl"},
+                                     {"kind", "queries"},
+                                     {"sha256", nullptr},
+                                     {"queries", 5006},
+                                     {"left_out", {{"binary64", 6}}}});
+  const LevelOutcome found = judged_at(record, "exact");
+  EXPECT_EQ(found.state, LevelState::met) << found.text();
+  EXPECT_THAT(found.text(), HasSubstr(", 6 lines of files left out: met"));
+  EXPECT_THAT(found.leaves_out, HasSubstr("6 of 5,006 queries of queries/seven.jsonl, which are of binary64: the run "
+                                          "was not to ask them"));
+  EXPECT_THAT(judged_at(record, "exact in lattice").text(), testing::Not(HasSubstr("left out")));
+  EXPECT_THAT(unjudged(record), IsEmpty()) << "they were not asked for";
 }
 
 TEST(LookedAt, AMarginIsOfQueriesThatAreNotPromised) {

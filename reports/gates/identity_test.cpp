@@ -188,6 +188,7 @@ TEST(Unjudged, IsAKernelThatDidNotLoadAndAFamilyWithoutQueries) {
     const std::uint64_t valid =
         family["truth"]["separated"].get<std::uint64_t>() + family["truth"]["contact"].get<std::uint64_t>();
     family["verdict"]["outside_limits"] = {{"trials", valid},
+                                           {"decided", valid},
                                            {"false_separation", 0},
                                            {"false_contact", 0},
                                            {"unanswered", 0},

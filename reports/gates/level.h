@@ -187,15 +187,22 @@ std::span<const GateLevel* const> gate_levels();
 // Those with a badge, of the lowest rank first.
 std::vector<const GateLevel*> badge_levels();
 
-// For levels that take a depth: the argument, a share of the scene or a length in metres. Throws Error that names the
-// level.
-struct DepthLimit {
+// For levels that take a number: what it is, and the greatest that says anything.
+struct NumberBound {
+  const char *letter, *what, *example;
+  double least, most;
+};
+// The argument, in the number's own unit or as a length in metres.
+struct SizeLimit {
   double most;
   bool is_length = false;
 
-  std::string text() const;  // "0.001 of the scene", "1 mm"
+  std::string text(std::string_view unit = "of the scene") const;  // "0.001 of the scene", "1 mm"
 };
-DepthLimit depth_argument(const AskedLevel& asked);
+// These throw Error that names the level.
+double number_argument(const AskedLevel& asked, const NumberBound& bound);
+SizeLimit size_limit(const AskedLevel& asked, const NumberBound& bound);
+SizeLimit depth_argument(const AskedLevel& asked);
 void accept_no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
 
 }  // namespace axiscert

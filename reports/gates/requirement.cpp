@@ -108,8 +108,12 @@ LevelOutcome outcome_of(const Record& record, const KernelRecord& whole, const A
   else if (!looks_outside && outcome.evidence.outside != 0)
     leave_out(outcome.leaves_out, fmt::format("{} queries outside its limits", thousands(outcome.evidence.outside)));
   if (outcome.evidence.declined() != 0) leave_out(outcome.leaves_out, "what it declined");
-  for (const UntakenLines& lines : lines_it_cannot_take(record, kernel.id)) {
-    if (asked.is_about(lines.family)) leave_out(outcome.leaves_out, lines.text());
+  for (const auto& untaken : {lines_it_cannot_take(record, kernel.id), lines_left_out(record)}) {
+    for (const UntakenLines& lines : untaken) {
+      if (!asked.is_about(lines.family)) continue;
+      leave_out(outcome.leaves_out, lines.text());
+      outcome.lines_left_out += lines.count;
+    }
   }
   if (outcome.leaves_out.empty()) outcome.leaves_out = "nothing";
   return outcome;
@@ -203,6 +207,7 @@ std::string LevelOutcome::text() const {
   const std::string who = precision.empty() ? kernel : fmt::format("{} {}", kernel, precision);
   std::string text = fmt::format("{}: {}", who, claim());
   if (const std::string looked = looked_text(); !looked.empty()) text += (has_limits ? "; " : ": ") + looked;
+  if (lines_left_out != 0) text += fmt::format(", {} lines of files left out", thousands(lines_left_out));
   text += fmt::format(": {}{}", name(state), is_allowed ? ", which is allowed" : "");
   return reason.empty() ? text : text + ": " + reason;
 }

@@ -34,6 +34,7 @@ struct LevelOutcome {
   std::size_t families = 0;                  // that it requires, and that have a valid query
   std::vector<std::string> outside = {};     // of these, those without a query that the kernel promises
   bool has_limits = false;                   // the kernel promises less than everything
+  std::uint64_t lines_left_out = 0;          // of files, in a precision in which they were not asked
 
   bool passes() const { return state == LevelState::met || is_allowed; }
   bool is_of(const KernelRecord& entry) const;  // whether it is about this kernel of the record
@@ -63,7 +64,7 @@ struct LevelOutcome {
       AXISCERT_FIELD(concerned, "Those that it is about."),
       AXISCERT_FIELD(families, "Families that the level requires and that have a valid query."),
       field(&Of::outside, {"outside_limits", "Of these, those without a query that the kernel promises.", "families"}),
-      journalled(&Of::has_limits))
+      journalled(&Of::has_limits), journalled(&Of::lines_left_out))
 };
 
 // run.json, with what came of each level of --require.

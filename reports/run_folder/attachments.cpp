@@ -110,6 +110,14 @@ Json proofs_data(const Path& file) {
   return data;
 }
 
+// Whether no query of a mutant's precision was valid.
+bool was_not_judged(const Json& mutation, const Json& mutant) {
+  const std::string precision = mutant.value("precision", "");
+  return mutation.is_object() && mutation.value("score", Json::object())
+                                         .value(precision, Json::object())
+                                         .value("not_judged", std::uint64_t{0}) != 0;
+}
+
 Json mutation_data(const Path& file) {
   const Json whole = read_json(file);
   Json data = whole.is_object() ? picked(whole, {"command", "kernel", "complete"}) : Json::object();
@@ -119,9 +127,10 @@ Json mutation_data(const Path& file) {
     // next to it.
     const Json caught = first_of(row, {"caught"});
     const Json& catch_of = caught.is_object() ? caught : row;
+    const bool is_caught = caught.is_object() || caught == true;
     data["mutants"].push_back({{"name", first_of(row, {"id", "name"})},
                                {"precision", first_of(row, {"precision"})},
-                               {"caught", caught.is_object() || caught == true},
+                               {"caught", !is_caught && was_not_judged(whole, row) ? Json(nullptr) : Json(is_caught)},
                                {"family", first_of(catch_of, {"family"})},
                                {"queries", first_of(catch_of, {"queries"})},
                                {"equivalent", first_of(row, {"equivalent"})}});
@@ -189,21 +198,18 @@ Json league_data(const Path& file) {
       for (const Json& family : row.at("families")) sum += family.at(count).get<std::uint64_t>();
       total[count] = sum;
     }
-    // Null where no family has a decided query: not measured.
-    const bool is_measured = total["decided"] != 0;
-    for (const char* count : {"false_separation", "false_contact"}) {
-      std::uint64_t sum = 0;
+    // Null where every family has null: not measured.
+    for (const char* kind : {"false_separation", "false_contact"}) {
+      const std::string depth = fmt::format("deepest_{}", kind);
+      Json sum, deepest;
       for (const Json& family : row.at("families")) {
-        if (!family.at(count).is_null()) sum += family.at(count).get<std::uint64_t>();
+        if (const Json& count = family.at(kind); !count.is_null())
+          sum = (sum.is_null() ? 0 : sum.get<std::uint64_t>()) + count.get<std::uint64_t>();
+        if (const Json& here = family.at(depth); !here.is_null())
+          deepest = deepest.is_null() ? here : std::max(deepest, here);
       }
-      total[count] = is_measured ? Json(sum) : Json(nullptr);
-    }
-    for (const char* depth : {"deepest_false_separation", "deepest_false_contact"}) {
-      double deepest = 0;
-      for (const Json& family : row.at("families")) {
-        if (!family.at(depth).is_null()) deepest = std::max(deepest, family.at(depth).get<double>());
-      }
-      total[depth] = is_measured ? Json(deepest) : Json(nullptr);
+      total[kind] = std::move(sum);
+      total[depth] = std::move(deepest);
     }
     std::uint64_t first = 0;
     for (const auto& [name, family] : row.at("families").items()) {

@@ -69,6 +69,44 @@ TEST(Attachments, APictureOutsideItsFolderIsRefused) {
   EXPECT_THAT(folder.rendering_error(), HasSubstr("missing.png: cannot be read"));
 }
 
+TEST(Attachments, AMutantWithoutAValidQueryWasNotJudged) {
+  const TestFolder folder(stored_record());
+  folder.write("mutation.json", R"({"complete": true,
+    "score": {"binary32": {"not_judged": 0}, "binary64": {"not_judged": 1}}, "mutants": [
+    {"id": "m", "precision": "binary32", "caught": null}, {"id": "m", "precision": "binary64", "caught": null},
+    {"id": "n", "precision": "binary64", "caught": {"family": "lattice", "queries": 7}}, {"id": "o", "caught": null}]})");
+  const Json mutants = attachments(folder.path(), 0)["mutation"]["mutants"];
+  EXPECT_EQ(mutants[0]["caught"], false);
+  EXPECT_TRUE(mutants[1]["caught"].is_null());
+  EXPECT_EQ(mutants[2]["caught"], true);
+  EXPECT_EQ(mutants[3]["caught"], false);
+}
+
+TEST(Attachments, AKindOfVerdictThatNoFamilyDecidedIsNullInALeague) {
+  const TestFolder folder(stored_record());
+  Json family = {{"caught_after", nullptr}};
+  for (const char* count : {"trials", "decided", "undecided", "invalid", "unanswered", "outside_limits"})
+    family[count] = 10;
+  Json other = family;
+  family.update({{"false_separation", nullptr},
+                 {"false_contact", 2},
+                 {"deepest_false_separation", nullptr},
+                 {"deepest_false_contact", 0.5}});
+  other.update({{"false_separation", nullptr},
+                {"false_contact", nullptr},
+                {"deepest_false_separation", nullptr},
+                {"deepest_false_contact", nullptr}});
+  Json league, one = {{"id", "k"}};
+  one["families"]["one"] = family;
+  one["families"]["two"] = other;
+  league["kernels"] = Json::array({one});
+  folder.write("league.json", league.dump());
+  const Json kernel = attachments(folder.path(), 0)["league"]["kernels"][0];
+  EXPECT_TRUE(kernel["false_separation"].is_null() && kernel["deepest_false_separation"].is_null());
+  EXPECT_EQ(kernel["false_contact"], 2);
+  EXPECT_EQ(kernel["deepest_false_contact"], 0.5);
+}
+
 TEST(Attachments, AFileOfAnotherFormIsOneErrorAndNothingIsWritten) {
   for (const char* file :
        {"proofs.json", "search.json", "mutation.json", "ladder.json", "precision.json", "league.json"}) {

@@ -197,12 +197,16 @@ class RecordCheck {
                 outside.touching <= std::min(outside.contact, touching) &&
                 outside.trials - outside.contact <= separated,
             where, "more contacts, touching or separated queries outside the limits than there are");
-    require(outside.false_separation + outside.false_contact + outside.unanswered <= outside.trials, where,
-            "more wrong and missing answers outside the limits than queries there");
+    require(outside.false_separation + outside.false_contact <= outside.decided &&
+                outside.decided + outside.unanswered <= outside.trials,
+            where, "more wrong and missing answers outside the limits than queries there");
     require(missed <= must_touch, where, "more false_separation verdicts than contacts");
     require(phantom <= must_not, where, "more false_contact verdicts than separated queries");
-    require(wrong + verdict.undecided + verdict.invalid + verdict.unanswered <= valid - outside.trials, where,
-            "more wrong, undecided, invalid and unanswered verdicts than valid queries");
+    require(verdict.false_separation <= verdict.decided_contacts && verdict.decided_contacts <= must_touch &&
+                verdict.false_contact <= verdict.decided_separations && verdict.decided_separations <= must_not,
+            where, "more wrong verdicts than decided queries, or more of these than there are");
+    require(verdict.decided() + verdict.undecided + verdict.invalid + verdict.unanswered <= valid - outside.trials,
+            where, "more decided, undecided, invalid and unanswered verdicts than valid queries");
     require(verdict.undecided_contact <= std::min(verdict.undecided, contact) &&
                 verdict.undecided_touching <= std::min(verdict.undecided_contact, touching) &&
                 verdict.undecided - verdict.undecided_contact <= separated,

@@ -112,9 +112,9 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
                       {"margin", nullptr},
                       {"sides", nullptr}};
   for (Json& family : kernel["families"]) {
-    family["verdict"]["outside_limits"] = {{"trials", outside}, {"false_separation", 0},      {"false_contact", 0},
-                                           {"unanswered", 0},   {"contact", outside * 3 / 5}, {"touching", 0},
-                                           {"deepest", 0.0}};
+    family["verdict"]["outside_limits"] = {{"trials", outside},  {"decided", outside}, {"false_separation", 0},
+                                           {"false_contact", 0}, {"unanswered", 0},    {"contact", outside * 3 / 5},
+                                           {"touching", 0},      {"deepest", 0.0}};
   }
   return record;
 }
@@ -163,6 +163,7 @@ inline Json contacts(std::uint64_t late, double late_tunnel, double missed_tunne
   }
   return {{"answers", 900},
           {"separations", 0},
+          {"decided", 900},
           {"missed", tunnels(missed_tunnel)},
           {"time",
            {{"none", 0},

@@ -54,9 +54,14 @@ std::string engine_text(const FamilyRecord& family) {
   const Evidence all = evidence_of(TouchingPolicy::contact, family);
   const std::uint64_t decided = std::min(engine.queries, all.decided());
   if (decided == 0) return fmt::format("none of {} engine-like queries decided", thousands(engine.queries));
+  const auto told = [&](FlipKind kind, std::uint64_t wrong, const char* none, const char* what) {
+    return wrong == 0 && all.decided_for(kind) == 0 ? none : fmt::format("{} {}", thousands(wrong), what);
+  };
   return fmt::format(
-      "{} missed and {} phantom contacts on {} engine-like queries{}", thousands(engine.false_separation()),
-      thousands(engine.false_contact()), thousands(engine.queries),
+      "{} and {} on {} engine-like queries{}",
+      told(FlipKind::false_separation, engine.false_separation(), "no contact decided", "missed"),
+      told(FlipKind::false_contact, engine.false_contact(), "no separation decided", "phantom contacts"),
+      thousands(engine.queries),
       decided < engine.queries ? fmt::format(", of which it decided at most {}", thousands(decided)) : "");
 }
 
@@ -185,7 +190,7 @@ std::vector<std::string> contact_cells(const FamilyRecord& family) {
     put(error_amount(time.late_tunnels.deepest.best()));
     put(thousands(time.early));
     put(time_error_text(time.early_errors));
-    cells.push_back(thousands(time.none + time.invalid));
+    cells.push_back(motion.answers == 0 ? "-" : thousands(time.none + time.invalid));
   }
   const auto put = [&](const auto& part, const auto& figure) {
     cells.push_back(part ? figure_on(part->judged, motion.answers, figure(*part)) : "-");
@@ -193,8 +198,9 @@ std::vector<std::string> contact_cells(const FamilyRecord& family) {
   put(motion.feature, [](const FeatureTally& feature) { return thousands(feature.wrong); });
   put(motion.normal, [](const NormalTally& normal) { return amount(normal.largest_angle.best(), 3); });
   put(motion.point, [](const PointTally& point) { return amount(point.largest_error.best(), 3); });
-  cells.push_back(thousands(motion.missed->through));
-  cells.push_back(error_amount(motion.missed->deepest.best()));
+  const bool has_contacts = motion.decided.value_or(0) != 0;
+  cells.push_back(has_contacts ? thousands(motion.missed->through) : "-");
+  cells.push_back(has_contacts ? error_amount(motion.missed->deepest.best()) : "-");
   return cells;
 }
 

@@ -28,6 +28,7 @@ FamilyRecord family_of(std::optional<TimeTally> time, double missed) {
   normal.largest_angle.offer({0.25, 0});
   FamilyRecord family;
   family.contacts = {.answers = 1200,
+                     .decided = 1202,
                      .missed = tunnels(missed),
                      .time = std::move(time),
                      .feature = std::nullopt,
@@ -83,7 +84,7 @@ TEST(SideWords, NothingIsSaidOfASideThatGotNoVerdict) {
   family.verdict.undecided = family.verdict.undecided_contact = 600;
   EXPECT_EQ(bias_text(kernel, family), "phantom contacts alone, with 0 of 600 contacts decided");
   EXPECT_EQ(engine_text(family),
-            "0 missed and 0 phantom contacts on 1,000 engine-like queries, of which it decided at most 400");
+            "no contact decided and 0 phantom contacts on 1,000 engine-like queries, of which it decided at most 400");
   EXPECT_EQ(with_rate(FlipKind::false_separation, kernel, family), "not checked");
   EXPECT_EQ(with_rate(FlipKind::false_contact, kernel, family), "20 (20,000 per million)");
   family.verdict.undecided = 1000;

@@ -98,8 +98,13 @@ std::string group_text(FamilyGroup group, const GroupResult& result, const Lengt
                                          result.invented_in);
   std::string text = fmt::format("{} {}: ", thousands(evidence.promised()), asked_words[group]);
   if (evidence.decided() == 0) return text + "no verdict";
-  if (result.missed + result.invented == 0) text += "no wrong verdict";
-  else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
+  if (result.missed + result.invented == 0) {
+    text += "no wrong verdict";
+    for (const FlipKind kind : {FlipKind::false_separation, FlipKind::false_contact}) {
+      const bool is_one_kind = evidence.promised_for(kind) == 0;
+      if (is_one_kind) text += kind == FlipKind::false_separation ? " on separations alone" : " on contacts alone";
+    }
+  } else text += result.missed == 0 && result.invented != 0 ? invented + "; " + missed : missed + "; " + invented;
   if (has_lengths(group)) text += contacts_text(group, result, unit);
   const std::uint64_t no_answer = evidence.declined() + evidence.invalid + evidence.unanswered;
   if (no_answer == 0) return text;

@@ -152,6 +152,15 @@ class LookedAt(Case):
         both = self.json("precision", *rounded, "--number", "binary32")
         self.assertEqual(both["sufficient"]["published"]["own_verdict"], 24)
 
+    def test_no_form_is_right_on_no_query(self):
+        for command, rows in (("ladder", lambda data: [kernel["families"]["nonfinite"]["verdict"] for kernel in data["kernels"]]),
+                              ("condition", lambda data: [row["wrong_verdicts"] for row in data["rows"]])):
+            arguments = (command, "published", "--family", "nonfinite", "--trials", 1, *(("--no-speed",) if command == "ladder" else ()))
+            self.assertEqual(rows(self.json(command, *arguments, code=1)), [None], command)
+            shown = self.text(*arguments, code=1)
+            self.assertTrue(shown.startswith("Nothing was measured. "), shown[:100])
+            self.assertIn("not measured", shown)
+
     def test_a_check_says_of_each_query_what_became_of_it(self):
         for kernel, standings, is_silent in ((promise("keeps_its_promise"), ["decided", "decided"], False),
                                              (promise("declines_contacts"), ["declined", "decided"], False),

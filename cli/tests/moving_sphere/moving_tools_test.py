@@ -71,7 +71,7 @@ class MotionCorpus(Case):
         record = self.run_ok("--predicate", "moving-sphere", "--corpus", *ROUNDED, "--kernel", "moving-sphere/segment",
                              "--kernel", "moving-sphere/twenty-nonstrict", "--precision", "binary32")
         self.assertEqual(record["plan"]["families"], ["corpus"])
-        wrong = {k["id"]: sum(k["families"]["corpus"]["verdict"][f] for f in ("false_separation", "false_contact"))
+        wrong = {k["id"]: sum(k["families"]["corpus"]["verdict"][f] or 0 for f in ("false_separation", "false_contact"))
                  for k in record["kernels"]}
         self.assertGreaterEqual(wrong["moving-sphere/rounded"], 3)
         self.assertGreaterEqual(wrong["moving-sphere/segment"], 1)

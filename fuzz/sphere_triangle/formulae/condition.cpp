@@ -34,7 +34,7 @@ struct KernelFindings {
 
 struct Findings {
   std::size_t source;
-  std::uint64_t invalid = 0;
+  std::uint64_t valid = 0, invalid = 0;
   std::vector<KernelFindings> kernels;
 };
 
@@ -55,7 +55,7 @@ ComparisonBits exact_bits(const ExactSides& sides, const Kernel& kernel) {
 // Every flip and every wrong verdict among the queries of a block.
 template <class Real>
 Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
-  Findings found{batch.source_index(), 0, std::vector<KernelFindings>(plan.kernels.size())};
+  Findings found{batch.source_index(), 0, 0, std::vector<KernelFindings>(plan.kernels.size())};
   const std::uint64_t size = batch.source().fixed_size(precision_of<Real>).value_or(plan.trials);
   const std::uint64_t stride = plan.sample == 0 ? 0 : (size + plan.sample - 1) / plan.sample;
   std::vector<ByComparison> taken(plan.kernels.size());
@@ -80,6 +80,7 @@ Findings search_block(const ConditionPlan& plan, JudgedBatch<Real>& batch) {
     }
   };
   found.invalid = for_each_valid(batch, search);
+  found.valid = batch.size() - found.invalid;
   return found;
 }
 
@@ -149,6 +150,7 @@ struct Job {
 void add_findings(const Findings& found, const ConditionPlan& plan, std::vector<std::vector<ByComparison>>& taken,
                   ConditionResult& result, std::vector<Job>& jobs) {
   const std::size_t source = found.source;
+  result.valid[source] += found.valid;
   result.invalid[source] += found.invalid;
   for (std::size_t k = 0; k < found.kernels.size(); ++k) {
     const KernelFindings& findings = found.kernels[k];
@@ -171,6 +173,7 @@ template <class Real>
 ConditionResult measure(const ConditionPlan& plan, const ShowProgress& report) {
   const std::vector<Findings> findings = search_all<Real>(plan, report);
   ConditionResult result;
+  result.valid.resize(plan.sources.size());
   result.invalid.resize(plan.sources.size());
   result.cells.assign(plan.kernels.size(), std::vector<ConditionCell>(plan.sources.size()));
   result.flip_kappa_u.resize(plan.kernels.size());

@@ -68,7 +68,7 @@ struct ConditionCell {
 };
 
 struct ConditionResult {
-  std::vector<std::uint64_t> invalid;               // queries left out, by source
+  std::vector<std::uint64_t> valid, invalid;        // queries by source; those that are invalid are left out
   std::vector<std::vector<ConditionCell>> cells;    // by kernel, by source
   std::vector<std::vector<Decimal6>> flip_kappa_u;  // by kernel: kappa u of each evaluated flip if it is finite; sorted
   bool operator==(const ConditionResult&) const = default;

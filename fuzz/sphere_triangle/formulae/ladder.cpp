@@ -227,4 +227,10 @@ std::vector<std::size_t> accuracy_speed_front(const std::vector<LadderEntry>& en
   return front;
 }
 
+bool LadderResult::is_of_nothing() const {
+  return std::ranges::all_of(entries, [](const LadderEntry& entry) {
+    return std::ranges::all_of(entry.by_source, [](const KernelAccuracy& here) { return here.queries == 0; });
+  });
+}
+
 }  // namespace axiscert

@@ -135,6 +135,8 @@ struct LadderResult {
   std::vector<LadderEntry> entries;  // one per kernel, in the plan's order
   std::vector<Contrast> contrasts;
   std::vector<SourceContrasts> by_source;  // what the forms get wrong, by clusters; in the plan's order
+
+  bool is_of_nothing() const;  // no query was valid
 };
 
 // Everything but `speed` depends on the plan alone, not on its threads. Throws OracleDisagreement.

@@ -55,8 +55,12 @@ struct Wrong {
 Wrong wrong_in(const Json& entry) {
   Wrong sum;
   for (const auto& [family, result] : entry["families"].items()) {
-    sum.separations += result["verdict"]["false_separation"].get<std::uint64_t>();
-    sum.contacts += result["verdict"]["false_contact"].get<std::uint64_t>();
+    // Null where no verdict could be wrong so.
+    const auto wrong = [&verdict = result["verdict"]](const char* kind) {
+      return verdict[kind].is_null() ? std::uint64_t{0} : verdict[kind].get<std::uint64_t>();
+    };
+    sum.separations += wrong("false_separation");
+    sum.contacts += wrong("false_contact");
     sum.by_implementation += result["verdict"]["links"]["implementation"].get<std::uint64_t>();
     for (const auto& [comparison, found] : result["comparisons"].items()) {
       const std::uint64_t flips =

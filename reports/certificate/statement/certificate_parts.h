@@ -308,9 +308,10 @@ struct ComparisonStatement {
 
   AXISCERT_FIELDS(ComparisonStatement, AXISCERT_FIELD(kernel), AXISCERT_FIELD(precision), AXISCERT_FIELD(looked_at),
                   AXISCERT_FIELD(undecided), AXISCERT_FIELD(invalid), AXISCERT_FIELD(unanswered),
-                  AXISCERT_FIELD(missed, "Null, like the next three, where nothing was looked at."),
-                  AXISCERT_FIELD(phantom), AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(deepest_phantom),
-                  AXISCERT_FIELD(median_ulps), AXISCERT_FIELD(largest_ulps))
+                  AXISCERT_FIELD(missed, "Null, like deepest_missed, where no contact was decided."),
+                  AXISCERT_FIELD(phantom, "Null, like deepest_phantom, where no separation was."),
+                  AXISCERT_FIELD(deepest_missed), AXISCERT_FIELD(deepest_phantom), AXISCERT_FIELD(median_ulps),
+                  AXISCERT_FIELD(largest_ulps))
 };
 
 struct BreakStatement {

@@ -21,15 +21,18 @@ class ConditionReport {
       : plan_(plan), result_(result), origin_{plan.seed, plan.precision} {}
 
   InstrumentReport report(const std::string& command) const {
-    return {
+    const bool is_of_nothing = std::ranges::all_of(result_.valid, [](std::uint64_t valid) { return valid == 0; });
+    InstrumentReport report{
         "condition",
-        fmt::format("Flips caused by the query's condition and by the formula, {}, at most {} queries of each source",
-                    name(plan_.precision), thousands(plan_.trials)),
+        fmt::format("{}Flips caused by the query's condition and by the formula, {}, at most {} queries of each source",
+                    is_of_nothing ? "Nothing was measured. " : "", name(plan_.precision), thousands(plan_.trials)),
         command,
         notes(),
         {by_family(), by_comparison(), wrong_verdicts()},
         {distribution()},
         data(command)};
+    report.is_of_nothing = is_of_nothing;
+    return report;
   }
 
  private:
@@ -89,6 +92,11 @@ class ConditionReport {
       for (std::size_t s = 0; s < plan_.sources.size(); ++s) {
         const ConditionCounts counts = result_.cells[k][s].total();
         std::vector<std::string> row = {plan_.kernels[k]->id, source(s).name()};
+        if (result_.valid[s] == 0) {
+          row.resize(table.columns.size(), "not measured");
+          table.rows.push_back(row);
+          continue;
+        }
         for (std::string& cell : count_cells(counts)) row.push_back(std::move(cell));
         row.push_back(counts.greatest_right ? shown(counts.greatest_right->value) : "none");
         row.push_back(counts.least_unstable ? shown(counts.least_unstable->value) : "none");
@@ -145,7 +153,10 @@ class ConditionReport {
         const Cell& cell = result_.cells[k][s];
         std::vector<std::string> row = {plan_.kernels[k]->id, source(s).name(), thousands(cell.false_separation),
                                         thousands(cell.false_contact)};
-        if (cell.deepest) {
+        if (result_.valid[s] == 0) {
+          row.resize(2);
+          row.resize(table.columns.size(), "not measured");
+        } else if (cell.deepest) {
           row.insert(row.end(), {amount(in_u(median(cell)), 4), amount(in_u(cell.deepest->depth), 4),
                                  origin_.address(source(s), cell.deepest->position)});
         } else {
@@ -196,6 +207,7 @@ class ConditionReport {
     ConditionRow row{plan_.kernels[k]->id,
                      source(s).name(),
                      swept_value(source(s)),
+                     result_.valid[s],
                      result_.invalid[s],
                      data_of(cell.total(), source(s)),
                      {},

@@ -43,20 +43,22 @@ struct WrongVerdictsData {
 struct ConditionRow {
   Name kernel, family;
   std::optional<SignedNumber> swept;
-  std::uint64_t invalid = 0;
+  std::uint64_t queries = 0, invalid = 0;
   ConditionCountsData total;
   NamedValues<ConditionCountsData> comparisons;
   WrongVerdictsData wrong_verdicts;
 
   static constexpr std::string_view about = "One kernel and family.";
   AXISCERT_FIELDS(ConditionRow, AXISCERT_FIELD(kernel, "The kernel."), AXISCERT_FIELD(family, "The family."),
-                  field(&Of::swept, swept_field), AXISCERT_FIELD(invalid, "Queries that are not valid."),
-                  AXISCERT_FIELD(total, "All comparisons together."), AXISCERT_FIELD(comparisons, "By comparison."),
-                  AXISCERT_FIELD(wrong_verdicts, WrongVerdictsData::about))
+                  field(&Of::swept, swept_field), AXISCERT_FIELD(queries, "Valid queries."),
+                  AXISCERT_FIELD(invalid, "Queries that are not valid."),
+                  field(&Of::total, figure_of("queries", "total", "All comparisons together.")),
+                  AXISCERT_FIELD(comparisons, "By comparison."),
+                  field(&Of::wrong_verdicts, figure_of("queries", "wrong_verdicts", WrongVerdictsData::about)))
 };
 
 struct ConditionData : CommandData<ConditionData> {
-  static constexpr std::string_view format = "axiscert-condition/2",
+  static constexpr std::string_view format = "axiscert-condition/3",
                                     title = "Flips caused by the query and by the formula";
   Precision precision = Precision::binary32;
   std::uint64_t trials = 0;

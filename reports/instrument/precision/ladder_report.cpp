@@ -65,6 +65,7 @@ InstrumentTable kernels_table(const LadderPlan& plan, const LadderResult& result
            rate_text(ladder_rate(result, s, k, Figure::phantom)), fmt::format("{}", here.touching_flips),
            radii.empty() ? "" : ulps(radii[(radii.size() - 1) / 2]), radii.empty() ? "" : ulps(radii.back()),
            fmt::format("{}", here.radius_unbounded)});
+      if (here.queries == 0) std::fill(table.rows.back().begin() + 2, table.rows.back().end(), "not measured");
     }
   }
   return table;
@@ -267,7 +268,9 @@ InstrumentReport ladder_report(const LadderPlan& plan, const LadderResult& resul
   const Entries& entries = result.entries;
   InstrumentReport report;
   report.name = "ladder";
-  report.title = fmt::format("What each step of the derivation costs, {}", axiscert::name(plan.precision));
+  report.is_of_nothing = result.is_of_nothing();
+  report.title = fmt::format("{}What each step of the derivation costs, {}",
+                             report.is_of_nothing ? "Nothing was measured. " : "", axiscert::name(plan.precision));
   report.command = command;
   report.notes = notes(plan, entries);
   const std::vector<LadderStep> steps = ladder_steps(plan.kernels);

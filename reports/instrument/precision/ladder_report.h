@@ -88,7 +88,8 @@ struct LadderResultData {
 
   static constexpr std::string_view about = "Of one family.";
   AXISCERT_FIELDS(
-      LadderResultData, AXISCERT_FIELD(queries, "Valid queries."), AXISCERT_FIELD(verdict, LadderVerdictData::about),
+      LadderResultData, AXISCERT_FIELD(queries, "Valid queries."),
+      field(&Of::verdict, figure_of("queries", "verdict", LadderVerdictData::about)),
       AXISCERT_FIELD(critical_radius, RadiusSummary::about),
       AXISCERT_FIELD(axes, "By axis: all its comparisons together."),
       AXISCERT_FIELD(kinds, "By kind of axis: plane, vertex, edge."), AXISCERT_FIELD(comparisons, "By comparison."),
@@ -196,7 +197,7 @@ struct LadderSpeedData {
 };
 
 struct LadderData : CommandData<LadderData> {
-  static constexpr std::string_view format = "axiscert-ladder/3", title = "What each step of the derivation costs";
+  static constexpr std::string_view format = "axiscert-ladder/4", title = "What each step of the derivation costs";
   Precision precision = Precision::binary32;
   WholeNumber seed;
   std::uint64_t trials = 0;

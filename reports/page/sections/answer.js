@@ -212,7 +212,7 @@ function more_facts(entry) {
   const outside = total.verdict.outside_limits;
   if (outside !== null) {
     fact('outside its limits', `${count(outside.trials)} queries, ` +
-         `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`);
+         (outside.decided === 0 ? 'none decided' : `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`));
   }
   if (entry.engine_text) fact('engine-like', entry.engine_text);
   if (entry.bias_text) fact('errs', entry.bias_text);

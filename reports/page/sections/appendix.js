@@ -11,7 +11,7 @@ function show_league(data) {
   const precision = column.text('precision', (row) => row.precision);
   const wrong = (member, label, alarm) => [
     column.count(label, (row) => row[member], {alarm, group: label, none: 'not measured'}),
-    column.amount('per million', (row) => (row.decided > 0 ? 1e6 * row[member] / row.decided : null), {digits: 3, group: label}),
+    column.amount('per million', (row) => (row[member] === null ? null : 1e6 * row[member] / row.decided), {digits: 3, group: label}),
     column.amount('deepest', (row) => row[`deepest_${member}`], {digits: 3, group: label})];
   const contenders = league.kernels.filter((row) => !row.has_planted_fault);
   const faults = league.kernels.filter((row) => row.has_planted_fault);
@@ -37,6 +37,7 @@ function show_mutation(data) {
   const score = (rows) => {
     const real = rows.filter((row) => !is_equivalent(row));
     const caught = real.filter((row) => row.caught === true);
+    if (real.length > 0 && real.every((row) => row.caught === null)) return `${count(real.length)} mutants not judged: no query was valid.`;
     return `${count(caught.length)} of ${count(real.length)} mutants caught; ${count(rows.length - real.length)} equivalent ones are not counted.`;
   };
   const precisions = [...new Set(mutation.mutants.map((row) => cell_words(row.precision)))];
@@ -45,10 +46,10 @@ function show_mutation(data) {
     score(mutation.mutants.filter((row) => cell_words(row.precision) === precision)))), table('Mutants', [
     column.text('mutant', (row) => cell_words(row.name), {cell: (th, value) => th.append(el('span', 'name', value))}),
     column.text('precision', (row) => cell_words(row.precision)),
-    column.text('caught', (row) => (is_equivalent(row) ? 'equivalent' : row.caught === true ? 'yes' : 'no'), {cell: (td, value) =>
+    column.text('caught', (row) => (is_equivalent(row) ? 'equivalent' : {true: 'yes', false: 'no', null: 'not judged'}[row.caught]), {cell: (td, value) =>
       td.append(chip(value, {yes: 'good', no: 'bad'}[value]))}),
     column.text('first by family', (row) => cell_words(row.family)),
-    column.count('after queries', (row) => (typeof row.queries === 'number' ? row.queries : null), {none: 'never'}),
+    column.count('after queries', (row) => (typeof row.queries === 'number' ? row.queries : null), {none: '-'}),
     column.text('why equivalent', (row) => (typeof row.equivalent === 'string' ? row.equivalent : ''), {cell: (td, value) => {
       td.classList.add('prose');
       td.append(value);
@@ -60,7 +61,7 @@ function show_mutation(data) {
   place.append(table('Controls: correct kernels written in another way, none of which may be flagged', [
     column.text('kernel', (row) => cell_words(row.kernel), {cell: (th, value) => th.append(el('span', 'name', value))}),
     column.text('precision', (row) => cell_words(row.precision)), column.text('claims', (row) => cell_words(row.claims)),
-    column.count('queries', (row) => row.queries), column.count('flagged', (row) => row.flagged, {alarm: 'bad'})], mutation.controls));
+    column.count('queries', (row) => row.queries), column.count('flagged', (row) => row.flagged, {alarm: 'bad', none: 'not judged'})], mutation.controls));
 }
 
 // The contraction or rounding of an arithmetic, by its name in `axiscert kernels`.

@@ -21,8 +21,8 @@ function family_columns(rows) {
 // Shares of the scene with the farthest length below, where the family's queries have a unit.
 function depth_column(label, member, more) {
   return column.text(label, (row) => row.result.verdict[`deepest_${member}`], {numeric: true, ...more, cell: (td, value, row) => {
-    td.append(value === 0 && row.result.zero_limits[member] === null ? '-' : amount(value, 4));
-    td.title = String(value);
+    td.append(value === null || (value === 0 && row.result.zero_limits[member] === null) ? '-' : amount(value, 4));
+    td.title = String(value ?? '');
     if (value === 0) td.classList.add('zero');
     if (row.result.lengths[member]) td.append(el('small', '', row.result.lengths[member]));
   }});
@@ -49,7 +49,7 @@ function families_table(data, rows) {
     answers('unanswered', 'no answer', 'bad'),
     column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
                 {numeric: true, left: true, note: verdict.links,
-                 cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
+                 cell: (td, value, row) => td.append(row.result.verdict.decided === 0 ? '-' : link_chips(row.result.verdict.links))}),
   ], rows, grouped(data, rows));
 }
 
@@ -59,7 +59,7 @@ function apart_tables(data, rows) {
   const limited = rows.filter((row) => row.result.verdict.outside_limits !== null);
   if (limited.length > 0) {
     made.push(el('h3', '', 'Outside its limits'), table('Outside its limits', [...family_columns(rows),
-      ...['trials', 'false_separation', 'false_contact', 'unanswered'].map((member) => column.count(
+      ...['trials', 'decided', 'false_separation', 'false_contact', 'unanswered'].map((member) => column.count(
         member, (row) => row.result.verdict.outside_limits[member], {note: data.notes.outside_limits[member]}))], limited, grouped(data, limited)));
   }
   const imaged = rows.filter((row) => row.result.asymmetry);
@@ -103,7 +103,7 @@ function radius_table(data, entries) {
 function contact_tables(data, rows) {
   const said = rows.filter((row) => row.result.contacts);
   if (said.length === 0) return el('div');
-  return said[0].result.contacts.missed ? motion_tables(data, said) : body_tables(data, said);
+  return said[0].result.contacts.decided !== null ? motion_tables(data, said) : body_tables(data, said);
 }
 
 const not_given = {none: 'not given'};
@@ -112,7 +112,6 @@ const not_given = {none: 'not given'};
 function figure_of(contacts, part, member) {
   const told = contacts[part];
   if (!told) return null;
-  if (part === 'consistency' && contacts.separation.judged + told.positive + told.negative + told.missing === 0) return null;
   return told[member];
 }
 function of_part(part, member, type, label, more) {
@@ -160,7 +159,7 @@ function body_tables(data, told) {
 
 // The first contacts of a predicate of motions.
 function motion_tables(data, rows) {
-  const told = rows.filter((row) => row.result.contacts.time || row.result.contacts.missed.deepest_tunnel > 0);
+  const told = rows.filter((row) => row.result.contacts.time || row.result.contacts.missed?.deepest_tunnel > 0);
   if (told.length === 0) return el('div');
   const none = not_given;
   const time = (label, get, type, more) => column[type](label, (row) => row.result.contacts.time && get(row.result.contacts.time), {...none, ...more});
@@ -191,8 +190,7 @@ function motion_tables(data, rows) {
     of('point', 'judged', 'count', 'compared', {group: 'point'}),
     of('point', 'largest_error', 'amount', 'off by', {digits: 3, group: 'point'}),
     of('missed', 'through', 'count', 'through', {group: 'missed contacts', alarm: 'bad'}),
-    column.text('tunnel', (row) => row.result.contacts.missed.deepest_tunnel, {numeric: true, key: magnitude, group: 'missed contacts',
-      cell: (td, value) => td.append(error_amount(value))}),
+    size_column('tunnel', (row) => figure_of(row.result.contacts, 'missed', 'deepest_tunnel'), {group: 'missed contacts'}),
   ], told, grouped(data, told)));
 }
 
