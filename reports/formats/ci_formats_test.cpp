@@ -135,6 +135,32 @@ TEST(Sarif, WhatTheRatchetAcceptsIsASuppressedNote) {
   for (const auto& [name, result] : sarif_results(nullptr)) EXPECT_FALSE(result.contains("suppressions")) << name;
 }
 
+TEST(Junit, ARatchetPassesNoFamilyThatWasNotDecided) {
+  Json json = stored_record();
+  json["plan"]["require"] = nullptr;
+  const auto published = [&](const Json& record) {
+    std::string text = ratchet_text(read_as<Record>(record));
+    const std::string open = "EXPIRY OWNER REASON";
+    for (std::size_t at = text.find(open); at != text.npos; at = text.find(open, at))
+      text.replace(at, open.size(), "2030-01-01 mk \"as published\"");
+    const TestFolder folder(record);
+    folder.write(
+        "ratchet.json",
+        json_of(hold_against(parse_ratchet(text, "accepted.txt"), read_as<Record>(record), "2026-06-15")).dump());
+    render_reports(folder.path());
+    const std::string junit = folder.read("junit.xml");
+    return junit.substr(0, junit.find("&lt;script&gt; binary32"));
+  };
+  const std::string passes = "name=\"lattice verdict\" time=\"0\"/>";
+  EXPECT_THAT(published(json), HasSubstr(passes));
+  Json& verdict = json["kernels"][0]["families"]["lattice"]["verdict"];
+  for (const char* decided : {"decided", "decided_contacts", "decided_separations"}) verdict[decided] = 0;
+  verdict["undecided"] = 500;
+  verdict["undecided_contact"] = 300;
+  verdict["undecided_touching"] = 60;
+  EXPECT_THAT(published(json), testing::Not(HasSubstr(passes)));
+}
+
 TEST(Sarif, AResultACellThatIsNotZero) {
   const TestFolder folder(stored_record());
   render_reports(folder.path());

@@ -158,11 +158,13 @@ bool fails_as_a_whole(const RatchetOutcome& held, const KernelRecord& kernel) {
 }
 
 // A case's outcome together with the ratchet's: Ant's schema allows one failure for each case. A case of which nothing
-// else was required was still checked by the ratchet.
+// else was required was still checked by the ratchet, where the kernel decided something.
 std::string with_ratchet(const RatchetOutcome& held, const KernelRecord& kernel, const std::string& family,
                          const std::string& place, const std::string& outcome) {
   const std::string worse = ratchet_outcome(held, kernel, family, place);
-  if (worse.empty()) return outcome.starts_with("<skipped") && !fails_as_a_whole(held, kernel) ? "" : outcome;
+  const bool is_checked =
+      evidence_of(kernel, kernel.families.at(family)).decided() != 0 && !fails_as_a_whole(held, kernel);
+  if (worse.empty()) return outcome.starts_with("<skipped") && is_checked ? "" : outcome;
   if (!outcome.starts_with("<failure")) return worse;
   const std::string_view end = "</failure>";
   const std::size_t text = worse.find('>') + 1;
