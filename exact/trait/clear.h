@@ -1,4 +1,4 @@
-// Clear queries: those that no right method of a precision can get wrong (docs/error_model.md#clear-queries). This shares
+// Clear queries: those that no right method of a precision can get wrong (docs/error_model.md#clear-queries). It shares
 // nothing with the oracles, and no answer of theirs depends on it. The predicate's listed forms are evaluated with a
 // running error bound; a query is clear where each of them has the verdict, whatever the comparisons are that its bound
 // leaves open.
@@ -10,6 +10,8 @@
 //   far the start is from the farther end of an edge, d how far its line is from that of the path; the greatest counts.
 //   A contact is clear only where the start, standing still, is clear.
 // - Scenes in which a form of degree 8 leaves the range are not clear.
+// The forms are ladder-0 (in the world's coordinates, with roots and divisions) and published of sphere-triangle,
+// twenty-nonstrict of moving-sphere, projected and, of matrices, textbook of box-box, and thirteen of box-triangle.
 #pragma once
 
 #include <cmath>
