@@ -1,4 +1,4 @@
-// The numbers of the proof about box-box/cofactor in exact/boxes/README.md: the whole constants cover the sums, and the
+// The numbers of the proof in exact/boxes/cofactor_bound.h: the whole constants cover the sums, and the
 // two lemmas of exact geometry that it uses hold on small integers.
 #include "exact/boxes/cofactor_bound.h"
 

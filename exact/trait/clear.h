@@ -1,5 +1,17 @@
-// Clear queries: those that no right method of a precision can get wrong. docs/error_model.md#clear-queries has the
-// definition. It shares nothing with the oracles, and no answer of theirs depends on it.
+// Clear queries: those that no right method of a precision can get wrong (docs/error_model.md#clear-queries). It shares
+// nothing with the oracles, and no answer of theirs depends on it. The predicate's listed forms are evaluated with a
+// running error bound; a query is clear where each of them has the verdict, whatever the comparisons are that its bound
+// leaves open.
+// - Each operation adds K = 16 times its rounding bound, u |result|, and a product K times the least normal number.
+// - Every coordinate is uncertain by K u times the greatest one, as for a method that does not move the origin first.
+// - A triangle's coordinates are uncertain by K u L L / h too, as for barycentric coordinates: L is its longest edge, h
+//   its least height.
+// - A motion's radius is uncertain by K u L L / (d + r), as for roots of quadratics, and at most sqrt(K u) L. L is how
+//   far the start is from the farther end of an edge, d how far its line is from that of the path; the greatest counts.
+//   A contact is clear only where the start, standing still, is clear.
+// - Scenes in which a form of degree 8 leaves the range are not clear.
+// The forms are ladder-0 (in the world's coordinates, with roots and divisions) and published of sphere-triangle,
+// twenty-nonstrict of moving-sphere, projected and, of matrices, textbook of box-box, and thirteen of box-triangle.
 #pragma once
 
 #include <cmath>

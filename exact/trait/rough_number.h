@@ -10,7 +10,7 @@
 
 namespace axiscert {
 
-// K of docs/error_model.md#clear-queries: the times by which a margin has to exceed the bound of one rounding an
+// K of exact/trait/clear.h: the times by which a margin has to exceed the bound of one rounding an
 // operation, so that methods with other operations are in the right too.
 inline constexpr double clear_factor = 16;
 

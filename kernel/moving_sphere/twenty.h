@@ -1,5 +1,23 @@
 // The twenty axes of a moving sphere: the sphere, standing still, against the prism that the triangle sweeps towards
 // it. Straight-line ring arithmetic, no parameter of time, degree 6 as the static predicate. docs/moving.md derives it.
+// The proof that one of them decides, in its letters:
+//
+// Why an axis always separates rightly. If a unit vector u has u.X > r for the six corners, so it has for the whole
+// prism: no point of it is within r of P. radius says so of one corner; sides and heading say that the others are no
+// nearer along u.
+// Why one always does. Let t be the first time of the least distance, X the nearest point of the triangle then, and u
+// the direction to it. The static axis of X's feature separates at that time.
+// - If t = 0, the distance does not decrease there, which is heading at the start. D = 0 is this case. t = 1 is the
+//   same at the end.
+// - Between, D is not 0 and the distance does not change to first order, so u.D = 0. Then u is the axis of the vertex,
+//   or the edge, seen along D.
+// - For an edge parallel to D, where M = 0, and for the face, where m = 0, u does not depend on t. The axis then
+//   separates at the start with its heading 0.
+// Why > is enough where D.V is not 0. The prism then is a solid. Each of its 6 corners, 9 edges and 5 facets has its
+// own axis. Let X be its point nearest to P, farther than r. Let G be the corner, edge or facet of the points no
+// farther along u = X - P than X. G is at right angles to u, and X is in it: its axis has the direction u, and its
+// radius comparison holds. Its sides and heading ask for the corners outside G, each farther along u, so they hold with
+// >.
 //
 // kernel/base/geometry.h says why there is no guard for AXISCERT_PER_TARGET.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_MOVING_SPHERE_TWENTY_H)

@@ -1,6 +1,8 @@
 // The least and the greatest value of every node over all permitted evaluations, each use of a node evaluated anew; and
 // the evaluation that attains one. Of a divisor, and of a magnitude's operand, the ends alone are tried: where these
-// have both signs a quotient may be greater, and a magnitude less.
+// have both signs a quotient may be greater, and a magnitude less. Behind a barrier the ends alone are tried too. Not
+// tried: a product distributed over a sum, or a sum as a common factor that only factoring makes; a comparison as a
+// difference, (x / y) * y as x; another grouping of a sum of sums of more than ten terms together.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,12 @@
 // The steps that decide the signs of a query, cheapest first; each step either is certain or passes the query on.
+// lanes     SIMD in doubles, or pairs of them. Silent: a margin within its bound; binary64: a difference or radius
+//           outside 2^-100 to 2^100
+// grid      integers of a few words (grid_signs.h): ties and triangles without area too. Silent: numbers whose exponent
+//           differs too much, but for a radius far below the rest
+// wide      doubles with a bound and an exponent of their own (wide_margins.h). Silent: a margin within its bound
+// integers  as grid, in as many words as necessary (limb_integer.h). Never silent
+// exact     BinaryNumber for the signs, CGAL for the verdict: --exact-only, the checks, and queries that are not valid.
+//           Never silent
 #pragma once
 
 #include "exact/sphere_triangle/filters/lane_filter.h"

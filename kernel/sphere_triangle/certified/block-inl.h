@@ -1,5 +1,15 @@
 // Takes a block of queries through the steps. No include guard: included once for each of Highway's instruction sets,
-// after the steps.
+// after the steps. Each step answers what it is certain of:
+//
+// box     of one sphere: triangles beyond one face of its box, in whole vectors or chunks of a mesh; not for
+//         AXISCERT_CONSERVATIVE
+// coarse  SIMD in the input's precision, with one threshold for each degree; then in double for the rest. Silent on
+//         margins within the threshold and extreme sizes
+// fine    SIMD in double, each margin with a bound from its own differences. Silent within the bound, on extreme sizes
+// deep    the open comparisons: pairs of doubles with the same bounds; values too small for these by their residue
+//         modulo 2^64. Silent as before
+// exact   one query at a time: integers of 1 to 27 words on the stack where the numbers span at most 286 bits (all of
+//         binary32), in binary64 126; beyond 126 after balls (a midpoint and an error); else by digits to the base 2^56
 #include <bit>
 #include <cstring>
 
