@@ -223,7 +223,9 @@ bool is_place_of_contacts(std::string_view place) {
 }
 
 std::vector<std::string_view> places_of_contacts(const Predicate& predicate) {
-  const Json given = json_of(given_contacts({}, predicate, predicate.measures.size()));
+  const ContactTally tally = given_contacts({}, predicate, predicate.measures.size());
+  Json given = json_of(tally);
+  put_unseen(given, tally);
   std::vector<std::string_view> places;
   for (const ContactMembers& one : contact_members()) {
     if (!predicate.measures.empty() && !given.at(std::string(one.place)).is_null()) places.push_back(one.place);

@@ -53,6 +53,8 @@ TEST(Compare, AKernelThatDecidesNothingIsWrongNowhereLookedAt) {
         if (figure.is_number()) figure = 0;
       }
       family["verdict"]["undecided"] = family["trials"];
+      family["verdict"]["undecided_contact"] = family["truth"]["contact"];
+      family["verdict"]["undecided_touching"] = family["truth"]["touching"];
       family["comparisons"] = family["axes"] = nullptr;
     }
   }

@@ -112,9 +112,17 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
                       {"margin", nullptr},
                       {"sides", nullptr}};
   for (Json& family : kernel["families"]) {
-    family["verdict"]["outside_limits"] = {{"trials", outside},  {"decided", outside}, {"false_separation", 0},
-                                           {"false_contact", 0}, {"unanswered", 0},    {"contact", outside * 3 / 5},
-                                           {"touching", 0},      {"deepest", 0.0}};
+    const std::uint64_t contacts = outside * 3 / 5;
+    Json& verdict = family["verdict"];
+    verdict["outside_limits"] = {{"trials", outside},  {"decided", outside}, {"false_separation", 0},
+                                 {"false_contact", 0}, {"unanswered", 0},    {"contact", contacts},
+                                 {"touching", 0},      {"deepest", 0.0}};
+    const auto leave_out = [&](const char* figure, std::uint64_t count) {
+      verdict[figure] = verdict[figure].get<std::uint64_t>() - count;
+    };
+    leave_out("decided_contacts", contacts);
+    leave_out("decided_separations", outside - contacts);
+    leave_out("decided", outside);
   }
   return record;
 }
