@@ -115,8 +115,8 @@ Judgement judge(const Predicate& predicate, const Truth& truth, const std::optio
   if (truth.verdict == Verdict::invalid) return out;
   const bool decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
   const std::optional<Verdict> right = right_verdict(truth, touching);
-  if (decided) out.decided = right;
-  if (out.decided && answer.verdict != *right) {
+  if (decided) out.right_of_decided = right;
+  if (out.right_of_decided && answer.verdict != *right) {
     out.verdict_flip = answer.verdict == Verdict::separated ? FlipKind::false_separation : FlipKind::false_contact;
   }
   if (!reference) {

@@ -92,9 +92,9 @@ struct Reference {
 };
 
 struct Judgement {
-  std::optional<Verdict> decided;        // right_verdict() of an answer that is one of the two
-  std::optional<FlipKind> verdict_flip;  // against that; empty if the truth is `invalid`
-  LinkSet verdict_links;                 // links broken on the way, whether the verdict is wrong or right
+  std::optional<Verdict> right_of_decided;  // right_verdict() of an answer that is one of the two
+  std::optional<FlipKind> verdict_flip;     // against that; empty if the truth is `invalid`
+  LinkSet verdict_links;                    // links broken on the way, whether the verdict is wrong or right
   ComparisonBits comparison_flips = 0, comparison_decisive = 0;  // decisive is a subset of flips
   ClauseBits axis_flips = 0, axis_decisive = 0;
   std::vector<Flip> flips() const;  // in the order verdict, axes, comparisons

@@ -82,7 +82,9 @@ void clear_unseen(Json& object, const Field& field) {
 
 bool is_unseen(const JsonPlace& place, const Field& field) {
   if (field.looked_at.empty() || !place.has(field.name)) return false;
-  return place.at(field.looked_at).value() == 0;
+  const JsonPlace count = place.at(field.looked_at);  // read here first: what is wrong with it is no fault of the figure
+  count.require_type(count.value().is_number_integer() || count.value().is_null(), "integer");
+  return count.value() == 0;
 }
 
 void require_nothing(const JsonPlace& place, const Field& field, const Json& value, const Json& nothing) {

@@ -108,9 +108,9 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
                    const Judgement& judgement, std::uint64_t times) {
   count_truth(tally, truth, times);
   if (truth.verdict == Verdict::invalid) return;
-  if (judgement.decided)
-    (*judgement.decided == Verdict::contact ? tally.verdict.decided_contacts : tally.verdict.decided_separations) +=
-        times;
+  if (judgement.right_of_decided)
+    (*judgement.right_of_decided == Verdict::contact ? tally.verdict.decided_contacts
+                                                     : tally.verdict.decided_separations) += times;
   if (answer.verdict == Verdict::undecided) {
     tally.verdict.undecided += times;
     tally.verdict.undecided_contact += (truth.verdict == Verdict::contact) * times;
@@ -166,7 +166,7 @@ void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const
   ++outside.trials;
   outside.contact += truth.verdict == Verdict::contact;
   outside.touching += truth.touching;
-  outside.decided += judgement.decided.has_value();
+  outside.decided += judgement.right_of_decided.has_value();
   outside.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) return;
   ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);

@@ -215,8 +215,12 @@ struct VerdictTally {
       "The kernel's verdicts on the queries within its limits, against the geometric truth and, where the sphere "
       "touches, its own convention.";
   AXISCERT_FIELDS(
-      VerdictTally, AXISCERT_FIELD(decided_contacts, "Contacts that the kernel called contact or separated."),
-      AXISCERT_FIELD(decided_separations, "Separations that it called either."),
+      VerdictTally,
+      AXISCERT_FIELD(decided_contacts,
+                     "Contacts that the kernel called contact or separated; where it promises to call a touching "
+                     "sphere separated, that is "
+                     "none, and where it promises nothing, neither."),
+      AXISCERT_FIELD(decided_separations, "Separations that it called one of the two, by the same promise."),
       AXISCERT_FIELD(decided, "Both together."),
       field(&Of::false_separation,
             figure_of("decided_contacts", "false_separation",

@@ -228,7 +228,7 @@ void require_counts(const StretchCounts& counts, std::uint64_t queries, const st
   require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
           "more declined contacts than declined queries");
   // A touching query that a kernel means to call separated is a contact, and a false one.
-  require(verdict.false_separation + verdict.undecided_contact <= truth.contact, "more missed contacts than contacts");
+  require(verdict.decided_contacts + verdict.undecided_contact <= truth.contact, "more decided contacts than contacts");
   require(verdict.touching_flips <= verdict.false_separation + verdict.false_contact,
           "more wrong verdicts on touching queries than wrong verdicts");
   require((verdict.false_separation != 0 || verdict.deepest_false_separation.best() == 0) &&

@@ -72,7 +72,7 @@ struct ComparisonData {
   std::vector<NotCompared> not_compared;
   std::vector<WitnessRecord> new_witnesses;
 
-  static constexpr std::string_view format = "axiscert-comparison/3", title = "axiscert comparison";
+  static constexpr std::string_view format = "axiscert-comparison/4", title = "axiscert comparison";
   static constexpr std::string_view about = "The result of `axiscert compare OLD NEW`.";
   AXISCERT_FIELDS(
       ComparisonData, AXISCERT_FIELD(schema, "The format of this file."),

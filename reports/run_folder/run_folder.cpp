@@ -205,8 +205,10 @@ class RecordCheck {
     require(verdict.false_separation <= verdict.decided_contacts && verdict.decided_contacts <= must_touch &&
                 verdict.false_contact <= verdict.decided_separations && verdict.decided_separations <= must_not,
             where, "more wrong verdicts than decided queries, or more of these than there are");
-    require(verdict.decided() + verdict.undecided + verdict.invalid + verdict.unanswered <= valid - outside.trials,
-            where, "more decided, undecided, invalid and unanswered verdicts than valid queries");
+    const std::uint64_t answered = verdict.decided() + verdict.undecided + verdict.invalid + verdict.unanswered,
+                        free = kernel.touching == TouchingPolicy::either ? touching : 0;
+    require(answered <= valid - outside.trials && valid - outside.trials <= answered + free, where,
+            "more or fewer decided, undecided, invalid and unanswered verdicts than valid queries");
     require(verdict.undecided_contact <= std::min(verdict.undecided, contact) &&
                 verdict.undecided_touching <= std::min(verdict.undecided_contact, touching) &&
                 verdict.undecided - verdict.undecided_contact <= separated,

@@ -20,8 +20,10 @@ std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std:
 
 std::uint64_t Evidence::decided() const { return without(promised(), declined() + invalid + unanswered); }
 std::uint64_t Evidence::decided_for(FlipKind kind) const {
-  const std::uint64_t declines = kind == FlipKind::false_separation ? declined_contacts : declined_separations;
-  return without(promised_for(kind), declines + invalid + unanswered);
+  const bool is_contacts = kind == FlipKind::false_separation;
+  const std::uint64_t most = without(promised_for(kind), is_contacts ? declined_contacts : declined_separations);
+  // What was called invalid or not answered may be of either kind: the counts of the decided tell.
+  return invalid + unanswered == 0 ? most : std::min(most, is_contacts ? decided_contacts : decided_separations);
 }
 void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
 
@@ -42,6 +44,8 @@ Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthC
   evidence.declined_contacts = without(verdict.undecided_contact, touch_is_contact ? 0 : verdict.undecided_touching);
   evidence.declined_separations = without(verdict.undecided, verdict.undecided_contact) +
                                   (touching == TouchingPolicy::separated ? verdict.undecided_touching : 0);
+  evidence.decided_contacts = verdict.decided_contacts;
+  evidence.decided_separations = verdict.decided_separations;
   evidence.invalid = verdict.invalid;
   evidence.unanswered = verdict.unanswered;
   return evidence;
@@ -92,8 +96,8 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at, std
 }
 
 std::string decided_text(const Evidence& evidence, FlipKind kind) {
-  return fmt::format("{}{} of {} {} decided", evidence.invalid + evidence.unanswered == 0 ? "" : "at least ",
-                     thousands(evidence.decided_for(kind)), thousands(evidence.promised_for(kind)),
+  return fmt::format("{} of {} {} decided", thousands(evidence.decided_for(kind)),
+                     thousands(evidence.promised_for(kind)),
                      kind == FlipKind::false_separation ? "contacts" : "separations");
 }
 

@@ -35,6 +35,7 @@ struct Evidence {
   std::uint64_t contacts = 0, separations = 0;
   std::uint64_t declined_contacts = 0, declined_separations = 0;  // promised, and answered `undecided`
   std::uint64_t invalid = 0, unanswered = 0;  // within the limits, and answered `invalid` or not at all
+  std::uint64_t decided_contacts = 0, decided_separations = 0;  // promised, and called one of the two
 
   std::uint64_t promised() const { return contacts + separations; }
   std::uint64_t declined() const { return declined_contacts + declined_separations; }
@@ -42,9 +43,7 @@ struct Evidence {
   // Promised, and called separated or contact. An answer `invalid` or none may be to a touching query, which is not
   // promised: then this is too small, and the level fails in any case.
   std::uint64_t decided() const;
-  // Those of them that could be wrong in this way: contacts could be missed, separations called contact. The verdicts
-  // of queries answered `invalid` or not at all are not counted apart: each may be of either kind, and is counted as
-  // both.
+  // Those of them that could be wrong in this way: contacts could be missed, separations called contact.
   std::uint64_t decided_for(FlipKind kind) const;
   std::uint64_t promised_for(FlipKind kind) const {
     return kind == FlipKind::false_separation ? contacts : separations;
@@ -58,6 +57,7 @@ struct Evidence {
                                         "Of the rest, those that touch, where the kernel promises nothing of touch."}),
                   journalled(&Of::contacts), journalled(&Of::separations), AXISCERT_FIELD(promised, "The rest."),
                   journalled(&Of::declined_contacts), journalled(&Of::declined_separations),
+                  journalled(&Of::decided_contacts), journalled(&Of::decided_separations),
                   AXISCERT_FIELD(declined, "Promised, and answered undecided."),
                   AXISCERT_FIELD(invalid, "Within the limits, and called invalid."),
                   AXISCERT_FIELD(unanswered, "Within the limits, and without an answer."),
@@ -82,8 +82,7 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at);
 // The same of a part of them, of `of` promised: "1 of 12 promised contacts looked at, ...".
 std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at, std::uint64_t of, std::string_view part);
 
-// "34 of 834 separations decided", or of the contacts, which could be wrong in this way; "at least 34 of ..." where
-// some were called invalid or not answered.
+// "34 of 834 separations decided", or of the contacts, which could be wrong in this way.
 std::string decided_text(const Evidence& evidence, FlipKind kind);
 
 // 100 (1 - 0.05^(1/n)): the per cent of wrong answers below which the rate is, with 95 % confidence, after n right
