@@ -139,6 +139,23 @@ TEST(Derived, OfContactsThatWereDeclinedNoneIsSaidToBeMissed) {
   }
 }
 
+// More answers are lacking than there are contacts: of which kind they were the counts tell, and nothing else.
+TEST(Derived, MissedContactsAreSaidBesideManyAnswersThatLack) {
+  CertifiedRecord made = of_published();
+  for (KernelRecord& kernel : made.record.kernels) {
+    for (auto& [family, result] : kernel.families) {
+      VerdictTally& verdict = result.verdict;
+      verdict.decided_contacts = verdict.false_separation = std::min<std::uint64_t>(3, verdict.decided_contacts);
+      verdict.decided_separations = verdict.false_contact = 0;
+      verdict.unanswered = result.truth.contact + result.truth.separated - verdict.decided_contacts;
+    }
+  }
+  for (const ComparisonStatement& row : derived_predicate(made.predicate, made.record).comparison) {
+    EXPECT_TRUE(row.missed && row.deepest_missed) << row.kernel;
+    EXPECT_FALSE(row.phantom || row.deepest_phantom) << row.kernel;
+  }
+}
+
 TEST(Derived, EachContradictionIsNamed) {
   struct Case {
     const char* says;
