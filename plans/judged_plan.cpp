@@ -12,7 +12,7 @@
 #include "fuzz/campaign/parts/journal.h"
 #include "fuzz/causes/cause.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/beside_runs.h"
 #include "fuzz/fields/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "fuzz/confirm/record.h"
-#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/beside_runs.h"
 #include "kernel/plugin/load.h"
 
 namespace axiscert {

@@ -10,6 +10,7 @@
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
+#include "cli/running/mutation_gate.h"
 #include "cli/running/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
@@ -21,7 +22,6 @@
 #include "kernel/registry/self_check.h"
 #include "plans/predicate_options.h"
 #include "proofs/certified/mutants.h"
-#include "reports/gates/requirement.h"
 #include "reports/instrument/black_box_report.h"
 #include "reports/instrument/mutation_report.h"
 
@@ -115,10 +115,9 @@ int print_and_write_score(const MutateOptions& options, const std::optional<Outp
 
 int mutate_by_verdict(const MutateOptions& options, const MutationPlan& plan,
                       const std::optional<OutputFolder>& folder) {
-  const Gate gate = gate_at(level_of_mutation);
   const std::atomic<bool>& interrupted = watch_for_interrupts();
   const BlackBoxScore score = with_progress(
-      "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, gate, interrupted, show); });
+      "mutate", [&](const ShowProgress& show) { return judge_black_boxes(plan, mutation_gate, interrupted, show); });
   const InstrumentReport report = black_box_report(plan, score, level_of_mutation, command_of(options, plan));
   return print_and_write_score(options, folder, report, report, score.complete, black_box_faults(score));
 }

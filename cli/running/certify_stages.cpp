@@ -7,6 +7,7 @@
 
 #include "cli/ending.h"
 #include "cli/progress_line.h"
+#include "cli/running/mutation_gate.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/mutation/black_box.h"
@@ -167,7 +168,7 @@ HarnessStatement score_harness(const StagedCertificate& staged, std::string_view
   Json score;
   const char* noticed = "refused";
   if (by_verdict) {
-    const BlackBoxScore found = judge_black_boxes(plan, gate_at(level_of_mutation), interrupts(), progress.report());
+    const BlackBoxScore found = judge_black_boxes(plan, mutation_gate, interrupts(), progress.report());
     if (!found.complete) throw StageInterrupted();
     score = black_box_report(plan, found, level_of_mutation, "axiscert certify").data["score"];
   } else {

@@ -2,6 +2,8 @@
 // arithmetic tells of a motion besides its verdict.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-#include "kernel/base/version.h"
+#include "kernel/base/address_sanitizer.h"
 
 // Force inlining, since the words would go through memory otherwise. Not under AddressSanitizer, which instruments each
 // access: the code would grow beyond what a compiler can handle.

@@ -5,7 +5,6 @@
 
 #include "exact/capsule_triangle/contact.h"
 #include "fuzz/capsule_triangle/families/situations.h"
-#include "fuzz/diagnosis/scenes.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {

@@ -9,10 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/campaign/campaign.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/record/looked_at.h"
-#include "fuzz/record/record.h"
 #include "fuzz/text/json.h"
 #include "kernel/kernel.h"
 
@@ -110,18 +108,5 @@ struct DiagnosisOptions {
 // Asks the kernel: some ten thousands of queries, in a few seconds for a built-in kernel. Depends on the kernel, the
 // precision and the seed alone. Throws Error where the kernel does not exist in the precision, and OracleDisagreement.
 Diagnosis diagnose(const Kernel& kernel, const DiagnosisOptions& options);
-
-// What is wrong with a kernel at first sight, before anything is asked of it that takes time.
-
-// Asks a few hundred queries in each precision that the kernel has; a program, which may take long to start, in the
-// first alone. One line: it leaves queries without an answer, and why; or its verdicts are exchanged. Empty: neither.
-// Throws Error where a program fails before it is asked anything, and OracleDisagreement.
-std::string first_look(const Kernel& kernel);
-
-// The units of length in which a kernel answers as in that of its queries, for a run.
-
-// Asks each kernel of a record; none where the answers are replies, or the run was interrupted. Depends on the kernels,
-// the precisions and the seed alone.
-void put_windows(Record& record, const Plan& plan, const CampaignResult& result);
 
 }  // namespace axiscert

@@ -1,4 +1,4 @@
-#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/beside_runs.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,10 @@
 // The powers of two times which a kernel answers as at scale 1.
-#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/beside_runs.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/text/json.h"

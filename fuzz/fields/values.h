@@ -68,7 +68,7 @@ struct QueryLine : std::string {
 template <class File>
 struct FormatName {};
 
-// `Rule` has `size`, `name(i)` and `about`.
+// Counts under many names, most of them zero: JSON has the others. `Rule` has `size`, `name(i)` and `about`.
 template <class Rule>
 struct SparseCounts : std::array<std::uint64_t, Rule::size> {
   std::uint64_t sum() const { return std::accumulate(this->begin(), this->end(), std::uint64_t{0}); }

@@ -2,6 +2,7 @@
 // the predicate has no such thing. Code asks for the capability that it needs, and never which predicate it is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -62,6 +63,16 @@ struct Traits {
   }
 };
 
+// Numbers that kernels give in place of those of a contact: a diagnosis says where they are these.
+
+struct ContactLikeness {
+  MeasureKind kind;
+  std::string_view value;     // of the property of a diagnosis
+  std::string_view sentence;  // "It is the distance to the triangle's plane, less the radius"
+  // One number, or the three of a vector, in doubles; empty where there is none. `entry` is that of the query.
+  std::vector<double> (*numbers)(const Numbers<double>& query, std::size_t entry);
+};
+
 class AimValues;
 class ImageMaps;
 class InputClasses;
@@ -69,7 +80,6 @@ class ProvedBounds;
 class Screens;
 class SearchMethod;
 class WitnessSides;
-struct ContactLikeness;
 struct CriticalRadiusDefaults;
 struct ExactFact;
 struct ImageGroup;
@@ -107,8 +117,7 @@ struct Capabilities {
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
   const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
   const Traits* traits = nullptr;                                    // above
-  // fuzz/diagnosis/scenes.h: other numbers that kernels give for those of a contact.
-  std::span<const ContactLikeness* const> contact_likenesses = {};
+  std::span<const ContactLikeness* const> contact_likenesses = {};   // above
   // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
   std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;
 };

@@ -1,13 +1,5 @@
-// What this axiscert is: version, revision, and whether AddressSanitizer instruments it.
+// What this axiscert is. One object has each, so that a new version or commit compiles nothing else again.
 #pragma once
-
-#if defined(__SANITIZE_ADDRESS__)
-#define AXISCERT_ADDRESS_SANITIZER
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define AXISCERT_ADDRESS_SANITIZER
-#endif
-#endif
 
 namespace axiscert {
 

@@ -5,6 +5,7 @@
 // first body and one of the second. Nothing is said of bodies apart, whose distance no axis tells.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -1,5 +1,6 @@
 // Comparisons combined, and choices by them, without a branch: over one number here, over the lanes of a vector in
-// kernel/lanes-inl.h. Formulae that are to run in lanes too are written in these words.
+// kernel/lanes-inl.h. Formulae that are to run in lanes too are written in these words, as is the triangle's nearest
+// point here.
 #if defined(AXISCERT_PER_TARGET) || !defined(AXISCERT_KERNEL_MOVING_SPHERE_BRANCHLESS_H)
 #define AXISCERT_KERNEL_MOVING_SPHERE_BRANCHLESS_H
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "fuzz/diagnosis/diagnosis.h"
+#include "fuzz/diagnosis/beside_runs.h"
 #include "fuzz/fields/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/kernel.h"

@@ -180,20 +180,11 @@ std::string SizeLimit::text(std::string_view unit) const {
   return is_length ? metric_text(most) : fmt::format("{} {}", most, unit);
 }
 
-namespace {
-
-std::optional<double> number_within(const std::string& argument, double least, double most) {
-  double number = 0;
-  const char* const end = argument.data() + argument.size();
-  const auto [stop, problem] = std::from_chars(argument.data(), end, number);
-  if (problem != std::errc() || stop != end || !(number >= least && number <= most)) return std::nullopt;
-  return number;
-}
-
-}  // namespace
-
 double number_argument(const AskedLevel& asked, const NumberBound& bound) {
-  if (const auto number = number_within(asked.argument, bound.least, bound.most)) return *number;
+  double number = 0;
+  const char* const end = asked.argument.data() + asked.argument.size();
+  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, number);
+  if (problem == std::errc() && stop == end && number >= bound.least && number <= bound.most) return number;
   throw Error(fmt::format("requirement '{}': {} is {}, as in {}={}", asked.text, bound.letter, bound.what, asked.name,
                           bound.example));
 }
@@ -204,12 +195,9 @@ SizeLimit size_limit(const AskedLevel& asked, const NumberBound& bound) {
 }
 
 SizeLimit depth_argument(const AskedLevel& asked) {
-  if (const auto length = length_in_metres(asked.argument)) return {*length, true};
-  if (const auto depth = number_within(asked.argument, 0, any_depth)) return {*depth};
-  throw Error(
-      fmt::format("requirement '{}': D is a depth, a share of the scene from 0 on, as in {}=0.001, or a length "
-                  "in {}, as in {}=1mm",
-                  asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
+  static const std::string what = fmt::format(
+      "a depth, a share of the scene from 0 on such as 0.001, or a length in {}", fmt::join(length_unit_names(), ", "));
+  return size_limit(asked, {"D", what.c_str(), "1mm", 0, any_depth});
 }
 
 void accept_no_argument(const AskedLevel&) {}

@@ -334,15 +334,6 @@ std::vector<Failure> unmet(const Record& record, const std::string& level) {
   return failures_of(outcomes_at(record, level));
 }
 
-Gate gate_at(const std::string& level) {
-  return [level](const Record& record) {
-    std::vector<GateFailure> failures;
-    for (const Failure& failure : unmet(record, level))
-      failures.push_back({failure.kernel, failure.precision, failure.family, failure.what});
-    return failures;
-  };
-}
-
 FirstLevels first_levels(const Record& record) {
   if (!requirements_of(record.plan).levels.empty()) {
     FirstLevels first{true, "", outcomes_of(record)};

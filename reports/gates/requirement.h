@@ -2,11 +2,11 @@
 // precision. Each level is in a file of its own, NAME_level.cpp.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fuzz/mutation/black_box.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "reports/gates/level.h"
@@ -145,10 +145,5 @@ FirstLevels first_levels(const Record& record);
 
 // Where it is not met, the first way; why it is not checked; empty where it is met.
 std::string reason_text(const LevelOutcome& outcome);
-
-// A level of --require as the gate of a mutation score (fuzz/mutation/black_box.h).
-
-// The failures of a record at the level. Throws Error, when it is asked, for a level that does not exist.
-Gate gate_at(const std::string& level);
 
 }  // namespace axiscert

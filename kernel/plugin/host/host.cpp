@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/version.h"
+#include "kernel/base/address_sanitizer.h"
 #include "kernel/plugin/host/floating_state.h"
 #include "kernel/plugin/host/offered.h"
 #include "kernel/plugin/host/program.h"

@@ -1,11 +1,13 @@
 // The report of `axiscert condition`.
 #pragma once
 
+#include <cstdint>
+
 #include "fuzz/fields/field.h"
 #include "fuzz/sphere_triangle/formulae/condition.h"
 #include "reports/instrument/data.h"
-#include "reports/instrument/sweep_axis.h"
 #include "reports/instrument/instrument.h"
+#include "reports/instrument/sweep_axis.h"
 
 namespace axiscert {
 // condition.json: what `axiscert condition` writes.
