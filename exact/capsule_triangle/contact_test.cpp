@@ -113,6 +113,9 @@ TEST(CapsuleContact, EveryRightChoiceLeavesNothing) {
   Query on = above;  // a rounding above the face: the normal is anything, and so is the capsule's point
   on.p = {0, 0, 0x1p-60};
   EXPECT_LT(judged(on, Verdict::contact, {-4, 0, 1, 0, 0, 4, 0, 0, 0, 0}).points_apart, 1e-15);
+  on.p.z = 0;  // it touches, as a kernel that rounds cannot know
+  EXPECT_EQ(judged(on, Verdict::contact, {-4, 0, 1, 0, 0, 4, 0, 0, 0, 0}).points_apart, 0);
+  EXPECT_GT(judged(on, Verdict::contact, {-4, 0, 1, 0, 0, 3, 0, 0, 0, 0}).points_apart, 0.05) << "but not so long";
   on.p.z = 1;
   EXPECT_GT(judged(on, Verdict::contact, {-3, 0, 1, 0, 0, 3, 0, 0, 0, 0}).points_apart, 0.1) << "which is no rounding";
 }

@@ -3,22 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
 #include "fuzz/diagnosis/judged_contacts.h"
 #include "fuzz/diagnosis/probes.h"
-#include "fuzz/queries/capabilities.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis {
 namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build
 
 constexpr std::size_t fewest_judged = 32;
-// A rule holds on so many of a hundred queries.
-constexpr std::size_t percent = 95;
-
-bool holds_on_most(std::size_t count, std::size_t all) { return 100 * count >= percent * all; }
 
 // Empty where the kernel can be asked.
 template <class Real>
@@ -46,36 +42,12 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// Whether the numbers that are given are those of a likeness, where these are not the exact ones: within `near` of each
-// other, as shares of the greater.
-bool is_like(const std::vector<double>& like, std::span<const double> given, double near) {
-  if (like.size() != given.size()) return false;
-  double most = 0, off = 0;
-  for (std::size_t k = 0; k < like.size(); ++k) {
-    most = std::max({most, std::fabs(like[k]), std::fabs(given[k])});
-    off = std::max(off, std::fabs(like[k] - given[k]));
-  }
-  return off <= near * std::max(most, 1e-3);
-}
-
-// The first likeness that holds on nearly all queries with a wrong number, and on some.
-template <class Real, class IsWrong>
-const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<JudgedContact<Real>>& all,
-                                   MeasureKind kind, IsWrong&& is_wrong) {
-  const std::size_t first = *first_measure(subject.predicate(), kind);
-  for (const ContactLikeness* like : capabilities_of(subject.predicate()).contact_likenesses) {
-    if (like->kind != kind) continue;
-    std::size_t wrong = 0, alike = 0;
-    for (const JudgedContact<Real>& one : all) {
-      if (!is_wrong(one)) continue;
-      ++wrong;
-      const std::vector<double> numbers = like->numbers(one.wide, subject.kernel().entry);
-      if (one.measures.size() >= first + numbers.size())
-        alike += is_like(numbers, std::span(one.measures).subspan(first, numbers.size()), 16 * small<Real>);
-    }
-    if (wrong != 0 && holds_on_most(alike, wrong)) return like;
-  }
-  return nullptr;
+// What was measured of a right kernel: on the queries by which rules are found, and of how many others nothing is
+// wrong.
+template <class Real>
+Json with_families(Json measured, const OnFamilies<Real>& others) {
+  measured["of_families"] = others.of;
+  return measured;
 }
 
 }  // namespace contacts
@@ -115,7 +87,7 @@ ProbeFinding separations(Subject<Real>& subject) {
     return decided(
         Separations::right,
         fmt::format("Its separations are right but for rounding on {} clear queries.", all.size() + others.of), {},
-        measured);
+        with_families(measured, others));
   }
   const auto is_apart = [](const JudgedContact<Real>& one) { return *one.exact.separation > 0; };
   const std::size_t apart = count(is_apart),
@@ -233,40 +205,48 @@ ProbeFinding normals(Subject<Real>& subject) {
         fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
   // Few directions may be far off for rounding, where the exact one is of a short vector; no length, and no side.
   const auto is_flip = [&](const JudgedContact<Real>& one) {
+    if (!has_clear_side(subject, one)) return false;
     if (one.found.pushed) return one.found.pushed->is_flip;
-    return one.exact.separation.value_or(0) > 0 && one.found.normal_angle.value_or(0) > std::numbers::pi / 2 &&
-           !is_zero(one);
+    return *one.exact.separation > 0 && one.found.normal_angle.value_or(0) > std::numbers::pi / 2 && !is_zero(one);
+  };
+  constexpr const char* other_side = "the normal goes to the other side";
+  const auto shows_length = [&](const JudgedContact<Real>& one) {
+    return witness_of(subject, one, fmt::format("the normal's length is {:.3g} off", length(one)));
   };
   if (const std::size_t flips = count(is_flip); flips != 0)
-    return found(Normals::wrong,
-                 fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()));
+    return decided(Normals::wrong,
+                   fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()),
+                   witness_of(subject, *std::ranges::find_if(all, is_flip), other_side), measured);
+  const auto is_uneven = [&](const JudgedContact<Real>& one) { return length(one) > small<Real>; };
   const auto longest = std::ranges::max_element(all, {}, length);
-  if (const double most = length(*longest); most > small<Real>)
+  if (is_uneven(*longest))
     return decided(Normals::not_normalised,
                    fmt::format("Its normals have the right direction; {} of {} have lengths that are off, by up to "
                                "{:.3g} of 1.",
-                               count([&](const auto& one) { return length(one) > small<Real>; }), all.size(), most),
-                   witness_of(subject, *longest, fmt::format("the normal's length is {:.3g} off", most)), measured);
-  std::size_t turned = 0;
+                               count(is_uneven), all.size(), length(*longest)),
+                   shows_length(*longest), measured);
+  std::size_t turned = 0, uneven = 0;
+  double most_uneven = 0;
   const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
     if (!one.found.normal_length_error) return std::nullopt;
     turned += is_flip(one);
-    if (is_flip(one)) return 2;
-    return length(one) > small<Real> ? length(one) : 0;
+    uneven += is_uneven(one);
+    most_uneven = std::max(most_uneven, length(one));
+    if (is_flip(one)) return std::numeric_limits<double>::infinity();  // which is shown before any length
+    return is_uneven(one) ? length(one) : 0;
   });
   if (others.shown)
     return decided(
         turned != 0 ? Normals::wrong : Normals::not_normalised,
         fmt::format("Its normals are right but for rounding on clear queries of one family. Of {} of all "
                     "families {} go to the other side, and {} are longer or shorter than 1.",
-                    others.of, turned, others.wrong - turned),
-        witness_of(subject, *others.shown,
-                   turned != 0 ? "the normal goes to the other side" : "the normal is longer or shorter than 1"),
-        others.measured());
+                    others.of, turned, uneven),
+        turned != 0 ? witness_of(subject, *others.shown, other_side) : shows_length(*others.shown),
+        {{"wrong", others.wrong}, {"of", others.of}, {"turned", turned}, {"largest_length_error", most_uneven}});
   return decided(
       Normals::right,
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
-      {}, measured);
+      {}, with_families(measured, others));
 }
 template ProbeFinding normals(Subject<float>&);
 template ProbeFinding normals(Subject<double>&);
@@ -310,7 +290,7 @@ ProbeFinding features(Subject<Real>& subject) {
           shows(*others.shown), {{"wrong", others.wrong}, {"of", others.of}});
     return decided(Features::right,
                    fmt::format("It names a part that is nearest on all {} clear queries.", all.size() + others.of), {},
-                   measured);
+                   with_families(measured, others));
   }
   const auto witnesses = shows(*shown);
   if (said.size() == 1)
@@ -344,7 +324,7 @@ ProbeFinding contact_points(Subject<Real>& subject) {
   };
   subject.leave_out(std::erase_if(all, [&](const JudgedContact<Real>& one) { return !is_given(one); }));
   if (all.size() < fewest_judged) return too_few(all.size(), kind);
-  const auto is_wrong = [&](const JudgedContact<Real>& one) { return error(one) > small<Real>; };
+  const auto is_wrong = [&](const JudgedContact<Real>& one) { return error(one) > small<Real> * one.reach; };
   const auto wrong = static_cast<std::size_t>(std::ranges::count_if(all, is_wrong));
   const auto shown = std::ranges::max_element(all, {}, error);
   const Json measured = {{"wrong", wrong}, {"of", all.size()}, {"largest_error", error(*shown)}};
@@ -360,7 +340,7 @@ ProbeFinding contact_points(Subject<Real>& subject) {
       return decided(Points::wrong, others.text("Its points are"), shows(*others.shown), others.measured());
     return decided(Points::right,
                    fmt::format("Its points are right but for rounding on {} clear queries.", all.size() + others.of),
-                   {}, measured);
+                   {}, with_families(measured, others));
   }
   const auto witnesses = shows(*shown);
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))

@@ -1,12 +1,16 @@
 // What a diagnosis says of the numbers beside a verdict, on kernels with one planted fault each.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
 
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/probes.h"
+#include "fuzz/text/json.h"
 #include "kernel/testing/planted_contacts.h"
 
 namespace axiscert::diagnosis {
@@ -90,6 +94,54 @@ TEST(ContactProbes, NameAFaultOfLevelTrianglesAlone) {
             (Said{{"normal", "not_normalised"}}));
   EXPECT_EQ(on_level("moved", [](MeasureColumns& m, std::size_t i) { m[7][i] *= 1.5f, m[7][i] += 0.5f; }),
             (Said{{"contact_point", "wrong"}}));
+}
+
+// Of two faults of normals each has its figure, and a length of any size hides no flip.
+TEST(ContactProbes, TellAFlipFromALength) {
+  const auto is_long = [](float a, float p) { return std::hash<float>()(a + 3 * p) % 2 == 0; };
+  const Kernel kernel = with_edit(find_kernel("minkowski"), "flips-and-lengths",
+                                  [=](MeasureColumns& m, const QueryColumns<float>& q, std::size_t i) {
+                                    const float height = q.column[2][i];
+                                    if (q.column[5][i] != height || q.column[8][i] != height) return;
+                                    for (std::size_t k = 2; k < 5; ++k)
+                                      m[k][i] *= is_long(q.column[0][i], q.column[9][i]) ? 11.0f : -1.0f;
+                                  });
+  const DiagnosisOptions options;
+  Subject<float> subject(kernel, options);
+  const ProbeFinding found = normals(subject);
+  EXPECT_EQ(found.value, "wrong") << found.sentence;
+  EXPECT_GT(found.measured["turned"], 0);
+  EXPECT_GT(found.measured["wrong"], found.measured["turned"]);
+  EXPECT_NEAR(found.measured["largest_length_error"].get<double>(), 10, 1e-5);
+  ASSERT_EQ(found.witnesses.size(), 1u);
+  EXPECT_EQ(found.witnesses[0].shows, "the normal goes to the other side");
+  const Json query = Json::parse(found.witnesses[0].query);
+  const auto number = [&](const char* of) { return std::strtof(query[of][0].get<std::string>().c_str(), nullptr); };
+  EXPECT_FALSE(is_long(number("a"), number("p"))) << found.witnesses[0].query;
+}
+
+// A method that computes in the coordinates of the world errs by roundings of these: in a scene that is small and far
+// off they may be more than the depth.
+TEST(ContactProbes, AreRightOfAMethodInWorldCoordinates) {
+  const Kernel& right = find_kernel("box-box/cofactor");
+  const std::vector<PredicateColumn>& columns = right.predicate->entries[right.entry].columns;
+  // Its normals go to the other side where the depth is at most so many u of the greatest coordinate or length.
+  const auto value = [&](const char* name, float roundings) {
+    const auto change = [&columns, roundings](MeasureColumns& m, const QueryColumns<float>& q, std::size_t i) {
+      float greatest = 0;
+      for (std::size_t k = 0; k < q.count; ++k) {
+        if (columns[k].role != Role::direction) greatest = std::max(greatest, std::fabs(q.column[k][i]));
+      }
+      if (!(std::fabs(m[0][i]) <= roundings * 0x1p-24f * greatest)) return;
+      for (std::size_t k = 1; k < 4; ++k) m[k][i] *= -1;
+    };
+    const Kernel kernel = with_edit(right, name, change);
+    const DiagnosisOptions options;
+    Subject<float> subject(kernel, options);
+    return normals(subject).value;
+  };
+  EXPECT_EQ(value("in-world", 120), "right");
+  EXPECT_EQ(value("further", 1024), "wrong");
 }
 
 TEST(ContactProbes, TellTheSizeOfAMargin) {

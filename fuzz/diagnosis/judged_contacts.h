@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,13 +17,15 @@
 #include "fuzz/diagnosis/other_units.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/diagnosis/subject.h"
+#include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert::diagnosis::contacts {
 
 constexpr std::size_t most_queries = 1024;
-// Of each verdict of each family, where the others show nothing wrong.
+// Of each verdict of each family, where the others show nothing wrong. Those are at most 464 exact judgements, of two
+// boxes, which take 2 s; all properties share them.
 constexpr std::size_t most_of_family = 16;
 constexpr std::uint64_t positions_of_family = 128;
 
@@ -30,8 +33,9 @@ constexpr std::uint64_t positions_of_family = 128;
 template <class Real>
 constexpr double small = 0x1p11 * std::numeric_limits<Real>::epsilon();
 
-// The same for directions and points where a triangle, or what two edges have in common, is thin: an error of a small
-// length h moves the nearest point of a convex body at the distance d by up to sqrt(2 h d).
+// The same for features and points where a triangle, or what two edges have in common, is thin: an error of a small
+// length h moves the nearest point of a convex body at the distance d by up to sqrt(2 h d). That is 16 sqrt(epsilon) of
+// the scene where h is 128 epsilons of it and d all of it.
 template <class Real>
 const double coarse = 16 * std::sqrt(static_cast<double>(std::numeric_limits<Real>::epsilon()));
 
@@ -56,7 +60,12 @@ std::vector<JudgedContact<Real>> judged(Subject<Real>& subject, const Queries<Re
       for (std::size_t k = 0; k < queries[i].size(); ++k) one.wide[k] = static_cast<double>(queries[i][k]);
       one.found = judge->judge(said, one.measures);
       one.exact = judge->place();
-      for (const std::size_t k : lengths) one.reach = std::max(one.reach, std::fabs(one.wide[k]) / judge->scene());
+      const double scene = judge->scene();
+      one.extent = scene;
+      for (const std::size_t k : lengths) {
+        one.reach = std::max(one.reach, std::fabs(one.wide[k]) / scene);
+        one.extent = std::max(one.extent, std::fabs(one.wide[k]));
+      }
       known[i] = std::move(one);
     }
     if (!known[i].found.missed) all.push_back(known[i]);
@@ -123,6 +132,60 @@ OnFamilies<Real> on_families(Subject<Real>& subject, Error&& error) {
     found.shown = one;
   }
   return found;
+}
+
+// Whether no rounding takes the normal to the other side. Of a sphere or a capsule the centre or the segment has to be
+// on that side. The judges take no normal for a flip where it is by at most 2 u of the scene, of two bodies 128 u; a
+// method in the coordinates of the world errs by as many u of the greatest of these.
+template <class Real>
+bool has_clear_side(const Subject<Real>& subject, const JudgedContact<Real>& one) {
+  if (!one.exact.separation) return false;
+  const std::vector<PredicateColumn>& columns = subject.entry().columns;
+  const auto is_length = [](const PredicateColumn& column) { return column.role == Role::length; };
+  const auto radius = std::ranges::find_if(columns, is_length);  // where there is one length: a box has three
+  const bool is_round = std::ranges::count_if(columns, is_length) == 1;
+  const double side =
+      *one.exact.separation + (is_round ? one.wide[static_cast<std::size_t>(radius - columns.begin())] : 0);
+  const double u = std::numeric_limits<Real>::epsilon() / 2;
+  const double allowed = has_measure(subject.predicate(), MeasureKind::point_b) ? 128 * u : 2 * u;
+  return std::fabs(side) > allowed * one.extent;
+}
+
+// A rule holds on so many of a hundred queries.
+constexpr std::size_t percent = 95;
+
+inline bool holds_on_most(std::size_t count, std::size_t all) { return 100 * count >= percent * all; }
+
+// Whether the numbers that are given are those of a likeness, where these are not the exact ones: within `near` of each
+// other, as shares of the greater.
+inline bool is_like(const std::vector<double>& like, std::span<const double> given, double near) {
+  if (like.size() != given.size()) return false;
+  double most = 0, off = 0;
+  for (std::size_t k = 0; k < like.size(); ++k) {
+    most = std::max({most, std::fabs(like[k]), std::fabs(given[k])});
+    off = std::max(off, std::fabs(like[k] - given[k]));
+  }
+  return off <= near * std::max(most, 1e-3);
+}
+
+// The first likeness that holds on nearly all queries with a wrong number, and on some.
+template <class Real, class IsWrong>
+const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<JudgedContact<Real>>& all,
+                                   MeasureKind kind, IsWrong&& is_wrong) {
+  const std::size_t first = *first_measure(subject.predicate(), kind);
+  for (const ContactLikeness* like : capabilities_of(subject.predicate()).contact_likenesses) {
+    if (like->kind != kind) continue;
+    std::size_t wrong = 0, alike = 0;
+    for (const JudgedContact<Real>& one : all) {
+      if (!is_wrong(one)) continue;
+      ++wrong;
+      const std::vector<double> numbers = like->numbers(one.wide, subject.kernel().entry);
+      if (one.measures.size() >= first + numbers.size())
+        alike += is_like(numbers, std::span(one.measures).subspan(first, numbers.size()), 16 * small<Real>);
+    }
+    if (wrong != 0 && holds_on_most(alike, wrong)) return like;
+  }
+  return nullptr;
 }
 
 }  // namespace axiscert::diagnosis::contacts

@@ -37,7 +37,8 @@ struct JudgedContact {
   std::vector<double> measures;
   ContactJudgement found;
   ContactPlace exact;
-  double reach = 1;  // the query's greatest coordinate or length as a share of the scene, at least 1
+  double extent = 0;  // the query's greatest coordinate or length, or the scene where this is more
+  double reach = 1;   // that as a share of the scene
 
   // A NaN has several representations, none of which is judged otherwise.
   bool is_of(Verdict verdict, const std::vector<double>& given) const {
