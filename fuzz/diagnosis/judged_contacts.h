@@ -24,8 +24,8 @@
 namespace axiscert::diagnosis::contacts {
 
 constexpr std::size_t most_queries = 1024;
-// Of each verdict of each family, where the others show nothing wrong. Those are at most 464 exact judgements, of two
-// boxes, which take 2 s; all properties share them.
+// Of each verdict of each family, where the others show nothing wrong. Of box-box/cofactor in binary32 those
+// are 464 exact judgements, which take 2 s; all properties share them.
 constexpr std::size_t most_of_family = 16;
 constexpr std::uint64_t positions_of_family = 128;
 
