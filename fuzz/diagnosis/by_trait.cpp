@@ -94,8 +94,9 @@ ProbeFinding by_trait(Subject<Real>& subject, std::string_view property) {
     measured[std::string(traits->all[of.k].name)] = {{"wrong", of.wrong}, {"of", of.of}};
   if (decided < fewest) return undecided("It decides too few of them to say.", std::move(measured));
   if (wrong == 0) {
+    const std::string of = decided == said.size() ? "were asked" : fmt::format("it decided, of {} asked", said.size());
     return diagnosis::decided(ByTrait::right,
-                              fmt::format("It is right on all {} clear {} that were asked.", decided, traits->noun), {},
+                              fmt::format("It is right on all {} clear {} that {}.", decided, traits->noun, of), {},
                               std::move(measured));
   }
   const TraitCounts& worst =

@@ -70,9 +70,9 @@ ProbeFinding at_touching(Subject<Real>& subject) {
   Json measured = Json::object();
   for (std::size_t k = 0; k < parts.size(); ++k) measured[std::string(scenes.parts[k])] = parts[k].json();
   if (counted < scenes.least) {
-    return undecided(fmt::format("It answers {} of {} {} that touch, and is right on the same {} with half the {} and "
-                                 "half as much again: too few to say.",
-                                 counted, touching.size(), scenes.what, scenes.what, scenes.length),
+    return undecided(fmt::format("Of {} {} that touch it answers {}, and rightly with half the {} and half as much "
+                                 "again: too few to say.",
+                                 touching.size(), scenes.what, counted, scenes.length),
                      measured);
   }
   std::vector<DiagnosisWitness> witnesses;

@@ -96,7 +96,7 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     judged += given->judged;
     none += answers_here - std::min(answers_here, given->judged);
   }
-  if (judged == 0) found.not_checked = fmt::format("no {} has a {}", moves ? "contact that it found" : "answer", what);
+  if (judged == 0) found.not_checked = fmt::format("no {} has {}", moves ? "contact that it found" : "answer", without);
   else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());

@@ -300,6 +300,15 @@ TYPED_TEST(ContactTest, OnePairIsTheSameAndNullArraysAreNotWritten) {
             static_cast<std::ptrdiff_t>(columns.size()));
 }
 
+TEST(ContactOfNothing, ReadsNoArray) {
+  const float* const columns[13] = {};
+  for (const axiscert_question question : {AXISCERT_CLOSED_SPHERE, AXISCERT_EXACT_ONLY}) {
+    EXPECT_EQ(axiscert_contact_pairs_f32(nullptr, 0, question, nullptr).contacts, 0u);
+    EXPECT_EQ(axiscert_contact_pairs_f32(columns, 0, question, nullptr).contacts, 0u);
+    EXPECT_EQ(axiscert_contact_pairs_f64(nullptr, 0, question, nullptr).contacts, 0u);
+  }
+}
+
 // The contacts of a mesh one after the other, as pairs have them.
 TYPED_TEST(ContactTest, AMeshGivesItsContactsAlone) {
   using Real = TypeParam;

@@ -171,7 +171,8 @@ axiscert_counts by_columns(const Real* const* columns, std::size_t size, axiscer
   // of vectors do, the first block ends with a line.
   const auto place_in_line = [](const Real* column) { return reinterpret_cast<std::uintptr_t>(column) % 64; };
   const std::size_t place = arrays && arrays->separation ? place_in_line(arrays->separation) : 0;
-  const std::size_t head = place == place_in_line(columns[0]) ? (64 - place) % 64 / sizeof(Real) : 0;
+  const bool aligns = size != 0 && place == place_in_line(columns[0]);  // of no queries there are no columns
+  const std::size_t head = aligns ? (64 - place) % 64 / sizeof(Real) : 0;
   for (std::size_t first = 0, count = 0; first < size; first += count) {
     count = first == 0 && head != 0 && head < size ? head : block_from(first, size);
     Block<Real> block{{}, count, false};
