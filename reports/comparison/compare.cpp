@@ -270,6 +270,9 @@ class Comparer {
     if (before.kind != Cell::Kind::finding && is_apart(before, true)) return;
     if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after))
       return note_absent(before, true, "was counted with a different tolerance", Absence::fails);
+    // A greatest error of no answer is no 0 that may grow. Wrong verdicts are more, whatever OLD decided.
+    if (before.kind == Cell::Kind::maximum && before.looked_at == 0 && after.looked_at != 0)
+      return note_absent(after, false, "was looked at on no answer in OLD", Absence::only_new);
     ComparedCell compared{std::move(before), std::move(after)};
     compared.same_queries = !compared.before.precision.empty() &&
                             has_same_queries(compared.before.family, precision_of_name(compared.before.precision));

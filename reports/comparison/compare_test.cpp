@@ -338,6 +338,13 @@ TEST(CompareContacts, ZerosOfNoTimeAreNotLookedAt) {
     if (cell.before.family != "tangent" || cell.before.place != "time" || !cell.is_zero_in_both()) continue;
     EXPECT_EQ(cell.is_looked_at(), cell.before.member == "invalid") << cell.before.name();
   }
+  // Nor are they what later errors are held to.
+  const Json timed = motions(contacts(5, 0.25, 0));
+  for (const ComparedCell& cell : compare_records(record, timed).cells) {
+    if (cell.before.family != "tangent" || cell.before.place != "time") continue;
+    EXPECT_NE(cell.before.kind, Cell::Kind::maximum) << cell.before.name();
+  }
+  EXPECT_THAT(markdown_of(record, timed, compare_records(record, timed)), HasSubstr("looked at on no answer in OLD"));
 }
 
 TEST(CompareContacts, AnotherPredicateHasNone) {
