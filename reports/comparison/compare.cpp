@@ -218,8 +218,7 @@ class Comparer {
     return apart_.contains({pairs_.of(cell, is_before).before, cell.precision, cell.family});
   }
 
-  // Reports a missing family once, not once for each cell; a missing kernel, or one of its precisions, is reported as
-  // one. A family's verdict comes first.
+  // Reports a missing family, kernel or precision once, not once for each cell. A family's verdict comes first.
   void note_absent(const Cell& cell, bool is_before, const std::string& why, Absence absence) {
     const ComparedKernel& kernel = pairs_.of(cell, is_before);
     if (!kernel.is_in_both() || lost_.contains(cell.family) || is_apart(cell, is_before)) return;
@@ -270,7 +269,7 @@ class Comparer {
     if (before.kind != Cell::Kind::finding && is_apart(before, true)) return;
     if (before.member == "tolerance_failures" && tolerance_of(before_, before) != tolerance_of(after_, after))
       return note_absent(before, true, "was counted with a different tolerance", Absence::fails);
-    // A greatest error of no answer is no 0 that may grow. Wrong verdicts are more, whatever OLD decided.
+    // A greatest error of no answer is no 0 that may grow.
     if (before.kind == Cell::Kind::maximum && before.looked_at == 0 && after.looked_at != 0)
       return note_absent(after, false, "was looked at on no answer in OLD", Absence::only_new);
     ComparedCell compared{std::move(before), std::move(after)};
