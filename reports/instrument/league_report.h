@@ -161,7 +161,7 @@ InstrumentReport league_report(const League& league, const CampaignResult& resul
 
 // Number of queries within the kernel's limits on which it said contact or separated.
 std::uint64_t decided(const Tally& tally);
-// Those among them that could be wrong in this way by what the kernel promises, and no fewer than are wrong.
+// Those among them that could be wrong in this way by what the kernel promises.
 std::uint64_t decided_for(FlipKind kind, const Kernel& kernel, const Tally& tally);
 
 // The answer to "may I trust it?", and the counts that it rests on.

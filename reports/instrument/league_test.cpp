@@ -121,7 +121,7 @@ TEST(LeagueTrust, CountsForEachSideWhatCouldBeWrongThere) {
   EXPECT_EQ(decided_for(invented, kernel, tally), 47u);
   tally.verdict.unanswered = 47;
   EXPECT_EQ(decided_for(invented, kernel, tally), 0u) << "these may have been the separations";
-  tally.verdict.false_contact = 1;
+  tally.verdict.false_contact = tally.verdict.decided_separations = 1;
   EXPECT_EQ(decided_for(invented, kernel, tally), 1u);
 }
 

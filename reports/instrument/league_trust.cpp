@@ -30,7 +30,7 @@ std::optional<TrustGroup> trust_group_of(const SourcePtr& source) {
 std::uint64_t decided(const Tally& tally) { return looked_at_of(tally).decided; }
 
 std::uint64_t decided_for(FlipKind kind, const Kernel& kernel, const Tally& tally) {
-  return std::max(tally.verdict.wrong(kind), evidence_of(kernel.touching, tally).decided_for(kind));
+  return evidence_of(kernel.touching, tally).decided_for(kind);
 }
 
 namespace {
