@@ -210,7 +210,7 @@ Rational ExactContact::mismatch(const Point& a, const Point& b, bool any_way) co
   const Rational apart = dot(between, between);
   Rational longer = 0;  // as a difference of squares, in which nothing cancels
   if (apart != squared_) longer = (apart - squared_) / (root_below(apart) + root_below(squared_));
-  // What a push leaves is no less than what it is shorter.
+  // A push leaves no less than what it is shorter: so `longer` below 0 is never the greater.
   return is_apart_ || any_way ? Rational(abs(longer)) : std::max(longer, rest_after(between));
 }
 

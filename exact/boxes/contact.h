@@ -75,9 +75,9 @@ class ExactContact {
   Rational squared_distance_from_a(const Point& p) const { return in_squares(squared_distance({p * unit_}, a_)); }
   Rational squared_distance_from_b(const Point& p) const { return in_squares(squared_distance({p * unit_}, b_)); }
 
-  // Of points of the bodies 0 exactly where a push of the second by a - b is one of the shortest that part them, or,
-  // of bodies apart, where none are nearer. Else by how much that push is longer than the penetration, or how much of
-  // it is left then, whichever is more; or | |a - b| - distance |. Relatively to 2^-240. `any_way`: the length alone
+  // A push of the second body by a - b against the shortest that parts the bodies: by how much it is longer than the
+  // penetration, or how much of that is left then, whichever is more. For bodies apart | |a - b| - distance |. It is 0
+  // exactly where a and b, points of the bodies, are right; else relatively within 2^-240. `any_way`: the length alone
   // counts.
   Rational mismatch(const Point& a, const Point& b, bool any_way = false) const;
 

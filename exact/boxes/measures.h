@@ -93,7 +93,7 @@ Rational squared_scene(const ExactPair& q);
 // Penetration or distance relative to the scene; 0 for two points in the same place.
 ExactDepth exact_depth(const ExactPair& q);
 
-// What exact arithmetic tells besides the verdict.
+// Lengths, places and directions that exact arithmetic tells besides the verdict.
 
 // The query is valid. The normal is the direction in which B leaves A, or the triangle the box.
 std::vector<ExactFact> exact_facts(const ExactPair& q);

@@ -1,4 +1,4 @@
-// What a run asks of its kernels beside its queries: a first look before them, and the units of length after them.
+// Questions of a run to its kernels beside its queries: a first look before them, and the units of length after them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace axiscert {
 
-// What is wrong with a kernel at first sight, before anything is asked of it that takes time: a few hundred queries in
+// Faults of a kernel at first sight, before anything is asked of it that takes time: a few hundred queries in
 // each precision that it has; of a program, which may take long to start, in the first alone. One line: it leaves
 // queries without an answer, and why; or its verdicts are exchanged. Empty: neither. Throws Error where a program fails
 // before it is asked anything, and OracleDisagreement.

@@ -42,8 +42,7 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// What was measured of a right kernel: on the queries by which rules are found, and of how many others nothing is
-// wrong.
+// The measurements of a right kernel: on the queries by which rules are found, and on how many others nothing is wrong.
 template <class Real>
 Json with_families(Json measured, const OnFamilies<Real>& others) {
   measured["of_families"] = others.of;

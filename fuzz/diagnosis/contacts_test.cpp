@@ -96,7 +96,7 @@ TEST(ContactProbes, NameAFaultOfLevelTrianglesAlone) {
             (Said{{"contact_point", "wrong"}}));
 }
 
-// Of two faults of normals each has its figure, and a length of any size hides no flip.
+// Each of two faults of normals has its figure, and a length of any size hides no flip.
 TEST(ContactProbes, TellAFlipFromALength) {
   const auto is_long = [](float a, float p) { return std::hash<float>()(a + 3 * p) % 2 == 0; };
   const Kernel kernel = with_edit(find_kernel("minkowski"), "flips-and-lengths",

@@ -24,8 +24,8 @@
 namespace axiscert::diagnosis::contacts {
 
 constexpr std::size_t most_queries = 1024;
-// Of each verdict of each family, where the others show nothing wrong. Of box-box/cofactor in binary32 those
-// are 464 exact judgements, which take 2 s; all properties share them.
+// Clear queries of each verdict of each family, asked where one family shows nothing wrong. For box-box/cofactor in
+// binary32 they are 464 exact judgements, which take 2 s; all properties share them.
 constexpr std::size_t most_of_family = 16;
 constexpr std::uint64_t positions_of_family = 128;
 
@@ -102,7 +102,7 @@ std::vector<JudgedContact<Real>> judged_of_families(Subject<Real>& subject) {
   return judged(subject, queries, true);
 }
 
-// What is wrong on those.
+// The wrong numbers on those.
 template <class Real>
 struct OnFamilies {
   std::size_t of = 0, wrong = 0;

@@ -223,7 +223,7 @@ void require_counts(const StretchCounts& counts, std::uint64_t queries, const st
   require(outside.false_separation <= outside.decided && outside.false_contact <= outside.decided &&
               outside.decided <= outside.trials,
           "more wrong answers than verdicts outside its limits");
-  // What touches may be neither right nor wrong.
+  // A touching query may be neither right nor wrong.
   require(answered <= valid && valid <= answered + truth.touching, "more or fewer answers than valid queries");
   require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
           "more declined contacts than declined queries");

@@ -84,7 +84,7 @@ class Collector {
   }
 
  private:
-  // What follows is of figures that so many answers could have raised.
+  // The figures that follow could have been raised by so many answers.
   Collector& over(std::uint64_t looked_at) {
     looked_at_ = looked_at;
     return *this;

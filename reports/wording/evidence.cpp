@@ -22,7 +22,7 @@ std::uint64_t Evidence::decided() const { return without(promised(), declined() 
 std::uint64_t Evidence::decided_for(FlipKind kind) const {
   const bool is_contacts = kind == FlipKind::false_separation;
   const std::uint64_t most = without(promised_for(kind), is_contacts ? declined_contacts : declined_separations);
-  // What was called invalid or not answered may be of either kind: the counts of the decided tell.
+  // Answers that are invalid or missing may be of either kind: the counts of the decided tell.
   return invalid + unanswered == 0 ? most : std::min(most, is_contacts ? decided_contacts : decided_separations);
 }
 void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
