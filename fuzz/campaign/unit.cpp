@@ -42,8 +42,6 @@ typename KernelRun<Real>::JudgedAnswer KernelRun<Real>::judge(std::size_t i, Clo
     found.is_counted = false;
     return found;
   }
-  // Those of a kernel without limits are counted in bulk.
-  if (kernel_.limits.any() && std::isfinite(look.depth().engine_threshold())) ++tally_.verdict.engine->queries;
   count(tally_, position(i), look.truth(), found.chain ? found.chain->ties : ComparisonBits{0}, said, found.judgement,
         look.depth(), standing_);
   return found;
@@ -73,22 +71,12 @@ namespace {
 
 void count_answer(ClearTally& tally, std::uint64_t position, Verdict said, Verdict right) {
   ++tally.queries;
+  tally.undecided += said == Verdict::undecided;
+  if (said != Verdict::separated && said != Verdict::contact) return;
+  ++decided_as(tally, right);
   if (said == right) return;
-  switch (said) {
-    case Verdict::separated:
-      ++tally.false_separation;
-      tally.first_missed.offer({true, position});
-      break;
-    case Verdict::contact:
-      ++tally.false_contact;
-      tally.first_phantom.offer({true, position});
-      break;
-    case Verdict::undecided:
-      ++tally.undecided;
-      break;
-    default:
-      ++tally.unanswered;
-  }
+  ++(said == Verdict::separated ? tally.false_separation : tally.false_contact);
+  (said == Verdict::separated ? tally.first_missed : tally.first_phantom).offer({true, position});
 }
 
 }  // namespace

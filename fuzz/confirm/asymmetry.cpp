@@ -132,6 +132,15 @@ void WorstImage::merge(const WorstImage& later) {
   pair = later.pair;
 }
 
+namespace {
+
+// Whether two answers show anything of each other: what was declined does not, nor what is `invalid` twice.
+bool are_compared(Verdict x, Verdict y) {
+  return x != Verdict::undecided && y != Verdict::undecided && (x != Verdict::invalid || y != Verdict::invalid);
+}
+
+}  // namespace
+
 template <class Real>
 void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
   const ImageGroup& group = answered.group;
@@ -143,8 +152,7 @@ void count_invariance(Invariance& into, const AnsweredGroup<Real>& answered) {
     if (!said) continue;
     const ImageKind kind = group.kind(i);
     if (!decides_image(kind, *base)) continue;
-    const bool are_no_verdicts = *said == Verdict::invalid && *base == Verdict::invalid;  // the same, and show nothing
-    if (*said == Verdict::undecided || *base == Verdict::undecided || are_no_verdicts) {
+    if (!are_compared(*said, *base)) {
       ++into.kinds[kind].undecided;
       continue;
     }
@@ -296,13 +304,15 @@ class AsymmetryBlock {
   }
 
   void count_image(const Outcome& base, const Outcome& image, const ImagePair& pair, std::size_t i) {
-    if (!decides_image(group_.kind(i), base.verdict)) return;
+    if (!decides_image(group_.kind(i), base.verdict) || !are_compared(image.verdict, base.verdict)) return;
     ++found_.images;
     if (image.verdict != base.verdict) {
       ++found_.verdicts;
       if (!found_.first_verdict) found_.first_verdict = pair;
     }
-    if (image.bits && base.bits && of_base_[i] && (*of_base_[i])(*image.bits) != *base.bits) {
+    if (!image.bits || !base.bits || !of_base_[i]) return;
+    ++found_.compared_comparisons;
+    if ((*of_base_[i])(*image.bits) != *base.bits) {
       ++found_.comparisons;
       if (!found_.first_comparison) found_.first_comparison = pair;
     }
@@ -343,6 +353,7 @@ std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t quer
   for (const Asymmetry& block : blocks) {
     all.images += block.images;
     all.verdicts += block.verdicts;
+    all.compared_comparisons += block.compared_comparisons;
     all.comparisons += block.comparisons;
     if (!all.first_verdict) all.first_verdict = block.first_verdict;
     if (!all.first_comparison) all.first_comparison = block.first_comparison;
@@ -375,6 +386,7 @@ AbsoluteSizeRecord size_record(const std::vector<UnitFlip>& flips, const std::ve
 AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address, bool has_numbers) {
   AsymmetryRecord record{asymmetry.images,
                          asymmetry.verdicts,
+                         asymmetry.compared_comparisons,
                          asymmetry.comparisons,
                          addresses_of(asymmetry.first_verdict, address),
                          addresses_of(asymmetry.first_comparison, address),

@@ -45,6 +45,7 @@ Kernel without_small(double least) {
 struct InvarianceFinding {
   Invariance invariance;
   Json json;
+  AsymmetryRecord asymmetry;
 };
 InvarianceFinding found(const Kernel& kernel, const char* family, std::uint64_t queries) {
   const SourcePtr source = family_source(find_family(family));
@@ -53,7 +54,8 @@ InvarianceFinding found(const Kernel& kernel, const char* family, std::uint64_t 
   const auto sizes = [&](std::span<const UnitFlip> flips) { return absolute_sizes(of, flips); };
   const auto address = [](std::uint64_t position) { return std::to_string(position); };
   return {asymmetry.invariance,
-          json_of(invariance_record(asymmetry.invariance, *image_group(family), Precision::binary64, address, sizes))};
+          json_of(invariance_record(asymmetry.invariance, *image_group(family), Precision::binary64, address, sizes)),
+          asymmetry_record(asymmetry, address, false)};
 }
 
 TEST(Invariance, OfARightKernelIsWhole) {
@@ -186,6 +188,13 @@ TEST(Invariance, IsNotBrokenByAnswersThatAreNone) {
   const InvarianceFinding undecided = found(silent, "units", 2400);
   EXPECT_EQ(undecided.invariance.kinds[ImageKind::scale].changed, 0u);
   EXPECT_EQ(undecided.invariance.units.wrong.changed, 0u);
+  EXPECT_EQ(undecided.asymmetry.verdicts, 0u);
+  EXPECT_EQ(undecided.asymmetry.images, undecided.invariance.kinds[ImageKind::scale].images);
+
+  const Kernel nothing = right_but([](const Columns&, std::size_t, Verdict) { return Verdict::undecided; });
+  const Json none = json_of(found(nothing, "orders", 600).asymmetry);
+  EXPECT_EQ(none["images"], 0);
+  for (const char* figure : {"verdicts", "comparisons"}) EXPECT_TRUE(none[figure].is_null()) << figure;
 }
 
 // A triangle that the sphere just touches may be called either way by a kernel that rounds: a change there is counted,

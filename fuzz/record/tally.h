@@ -24,14 +24,15 @@ namespace axiscert {
 
 // Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
 struct ClearTally {
-  std::uint64_t queries = 0, undecided = 0, unanswered = 0;
+  std::uint64_t queries = 0, decided_contacts = 0, decided_separations = 0, undecided = 0;
   std::uint64_t false_separation = 0, false_contact = 0;
   Leaders<bool> first_missed, first_phantom;  // by the position alone
 
-  std::uint64_t wrong() const { return false_separation + false_contact; }
-  std::uint64_t decided() const { return queries - undecided - unanswered; }
+  std::uint64_t decided() const { return decided_contacts + decided_separations; }
+  std::uint64_t unanswered() const { return queries - decided() - undecided; }
   bool operator==(const ClearTally& other) const {
-    return queries == other.queries && undecided == other.undecided && unanswered == other.unanswered &&
+    return queries == other.queries && decided_contacts == other.decided_contacts &&
+           decided_separations == other.decided_separations && undecided == other.undecided &&
            false_separation == other.false_separation && false_contact == other.false_contact;
   }
 
@@ -39,11 +40,15 @@ struct ClearTally {
       "Answers to clear queries within the kernel's limits: no right method of the precision gets one wrong, since its "
       "margin is many times the bound of any rounding.";
   AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
-                  AXISCERT_FIELD(undecided, "Those that the kernel declined."),
-                  AXISCERT_FIELD(unanswered, "Those that it called invalid, or that got no answer."),
-                  AXISCERT_FIELD(decided, "The rest."),
-                  field(&Of::false_separation, figure_of("decided", "false_separation", "Missed contacts among them.")),
-                  field(&Of::false_contact, figure_of("decided", "false_contact", "Phantom contacts among them.")),
+                  AXISCERT_FIELD(decided_contacts, "Contacts among them that the kernel decided."),
+                  AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
+                  AXISCERT_FIELD(decided, "Both together."),
+                  AXISCERT_FIELD(undecided, "Those that it declined."),
+                  AXISCERT_FIELD(unanswered, "The rest: it called them invalid, or gave no answer."),
+                  field(&Of::false_separation,
+                        figure_of("decided_contacts", "false_separation", "Missed contacts among them.")),
+                  field(&Of::false_contact,
+                        figure_of("decided_separations", "false_contact", "Phantom contacts among them.")),
                   journalled(&Of::first_missed), journalled(&Of::first_phantom))
 };
 
@@ -83,6 +88,7 @@ struct FormulaLinks {
 // Sign errors of one axis or one comparison against the kernel's own formulae in exact arithmetic. What may be empty is
 // so where it was not measured: no tolerance was given, or the kernel shows no sides.
 struct SignTally {
+  std::uint64_t judged = 0;
   std::uint64_t false_separation = 0, missed_separation = 0, masked = 0, decisive = 0;
   std::optional<std::uint64_t> tolerance_failures = 0;
   std::optional<Decimal6> max_error = Decimal6();  // in u
@@ -92,12 +98,17 @@ struct SignTally {
 
   AXISCERT_FIELDS(
       SignTally,
-      AXISCERT_FIELD(false_separation, "Queries that the kernel separates here, and its exact formulae do not."),
-      AXISCERT_FIELD(missed_separation, "Queries that its exact formulae separate here, and the kernel does not."),
-      AXISCERT_FIELD(masked, "The flips that are not decisive."),
-      AXISCERT_FIELD(decisive,
-                     "The flips on queries where the kernel's verdict differs from that of its exact formulae, the "
-                     "same way as the flip; of a comparison, those that belong to a decisive flip of its axis."),
+      AXISCERT_FIELD(judged, "Queries whose sign was compared: those with a verdict and comparisons."),
+      field(&Of::false_separation, figure_of("judged", "false_separation",
+                                             "Queries that the kernel separates here, and its exact formulae do not.")),
+      field(&Of::missed_separation,
+            figure_of("judged", "missed_separation",
+                      "Queries that its exact formulae separate here, and the kernel does not.")),
+      field(&Of::masked, figure_of("judged", "masked", "The flips that are not decisive.")),
+      field(&Of::decisive,
+            figure_of("judged", "decisive",
+                      "The flips on queries where the kernel's verdict differs from that of its exact formulae, the "
+                      "same way as the flip; of a comparison, those that belong to a decisive flip of its axis.")),
       AXISCERT_FIELD(tolerance_failures,
                      "Queries whose error is above the plan's tolerance; null where there is none, or no error was "
                      "measured: not checked."),
@@ -108,7 +119,7 @@ struct SignTally {
              "u"},
             by::greatest),
       AXISCERT_FIELD(smallest_passing_tolerance, "The smallest tolerance with no failure; equal to max_error_u.", "u"),
-      AXISCERT_FIELD(links))
+      field(&Of::links, figure_of("judged", "links", {})))
 };
 
 struct AxisTally : SignTally {
@@ -145,17 +156,24 @@ struct ComparisonTally : SignTally {
 
 // Valid queries outside the limits that a kernel declares; only the truth counts them too.
 struct OutsideTally {
-  std::uint64_t trials = 0, decided = 0, false_separation = 0, false_contact = 0, unanswered = 0;
+  std::uint64_t trials = 0, decided_contacts = 0, decided_separations = 0;
+  std::uint64_t false_separation = 0, false_contact = 0, unanswered = 0;
   std::uint64_t contact = 0, touching = 0;  // the truth; touching is part of contact
   double deepest = 0;
+
+  std::uint64_t decided() const { return decided_contacts + decided_separations; }
 
   static constexpr std::string_view about =
       "Results where the kernel promises nothing. No other count of its verdicts, axes, comparisons or critical radii "
       "includes these queries, and no requirement covers them.";
   AXISCERT_FIELDS(OutsideTally, AXISCERT_FIELD(trials, "Valid queries outside the limits."),
-                  AXISCERT_FIELD(decided, "Queries among them with a verdict that is right or wrong."),
-                  field(&Of::false_separation, figure_of("decided", "false_separation", "Missed contacts among them.")),
-                  field(&Of::false_contact, figure_of("decided", "false_contact", "Phantom contacts among them.")),
+                  AXISCERT_FIELD(decided_contacts, "Contacts among them that it decided, as within the limits."),
+                  AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
+                  AXISCERT_FIELD(decided, "Both together."),
+                  field(&Of::false_separation,
+                        figure_of("decided_contacts", "false_separation", "Missed contacts among them.")),
+                  field(&Of::false_contact,
+                        figure_of("decided_separations", "false_contact", "Phantom contacts among them.")),
                   AXISCERT_FIELD(unanswered, "Queries among them without an answer."),
                   AXISCERT_FIELD(contact, "Those of trials whose truth is contact."),
                   AXISCERT_FIELD(touching, "Those of contact that touch."),
@@ -188,7 +206,7 @@ struct JsonForm<FirstQuery> {
 // A member may be empty where the kernel declares no limits, has a reference (clear), the predicate has no depth, or
 // engines ask no such queries.
 struct VerdictTally {
-  std::uint64_t decided_contacts = 0, decided_separations = 0;
+  std::uint64_t decided_contacts = 0, decided_separations = 0, decided_touching = 0;
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
   std::uint64_t invalid = 0, unanswered = 0;
@@ -221,7 +239,8 @@ struct VerdictTally {
                      "sphere separated, that is "
                      "none, and where it promises nothing, neither."),
       AXISCERT_FIELD(decided_separations, "Separations that it called one of the two, by the same promise."),
-      AXISCERT_FIELD(decided, "Both together."),
+      AXISCERT_FIELD(decided_touching, "Those of either that touch."),
+      AXISCERT_FIELD(decided, "Contacts and separations together."),
       field(&Of::false_separation,
             figure_of("decided_contacts", "false_separation",
                       "Missed contacts: the kernel says separated, the truth is contact. The dangerous ones.")),
@@ -250,17 +269,20 @@ struct VerdictTally {
                       "length")),
       field(&Of::farthest_false_contact,
             figure_of("decided_separations", "farthest_false_contact", "The same over phantom contacts.", "length")),
-      AXISCERT_FIELD(links,
-                     "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
-                     "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "
-                     "up to the wrong verdicts."),
-      AXISCERT_FIELD(masked_links, "Right verdicts with each link broken: the breaks cancelled."),
+      field(&Of::links,
+            figure_of("decided", "links",
+                      "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
+                      "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "
+                      "up to the wrong verdicts.")),
+      field(&Of::masked_links,
+            figure_of("decided", "masked_links", "Right verdicts with each link broken: the breaks cancelled.")),
       AXISCERT_FIELD(
           first_by_link,
           "The first query of the family, counted from 1, with a wrong verdict and this link broken; touching queries, "
           "which a convention may explain, are not counted, except for implementation; null: none."),
-      AXISCERT_FIELD(touching_flips, "Wrong verdicts on touching queries."),
-      AXISCERT_FIELD(touching_links, "Broken links on touching queries."),
+      field(&Of::touching_flips,
+            figure_of("decided_touching", "touching_flips", "Wrong verdicts on touching queries.")),
+      field(&Of::touching_links, figure_of("decided_touching", "touching_links", "Broken links on touching queries.")),
       AXISCERT_FIELD(outside_limits, "Valid queries outside the kernel's limits; null where it declares none."),
       AXISCERT_FIELD(clear,
                      "Answers to clear queries; null for a kernel with a reference, whose links say why it is wrong."),
@@ -305,6 +327,7 @@ struct Tally {
   std::uint64_t asked_again = 0;  // queries asked again in another order of their batch
 
   void merge(const Tally& other);
+  void count_signs(std::uint64_t times);  // so many queries of which every sign was compared
   AXISCERT_FIELDS(Tally, journalled(&Tally::trials), journalled(&Tally::truth), journalled(&Tally::verdict),
                   journalled(&Tally::axes), journalled(&Tally::comparisons), journalled(&Tally::critical_radius),
                   journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::contacts),

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,10 +58,21 @@ struct DepthTally {
                   AXISCERT_FIELD(deep, "Wrong verdicts of both directions whose depth is at least 1e-3."))
 };
 
+// The count of the decided queries of which that verdict is right.
+std::uint64_t& decided_as(auto& tally, Verdict right) {
+  return right == Verdict::contact ? tally.decided_contacts : tally.decided_separations;
+}
+
 // Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
 struct EngineTally {
-  std::uint64_t queries = 0;
+  std::uint64_t queries = 0, decided_contacts = 0, decided_separations = 0;
   DepthTally wrong;
+
+  void count(const std::optional<Verdict>& right_of_decided) {
+    ++queries;
+    if (right_of_decided) ++decided_as(*this, *right_of_decided);
+  }
+  std::uint64_t decided() const { return decided_contacts + decided_separations; }
 
   std::uint64_t false_separation() const { return wrong.false_separation.sum(); }
   std::uint64_t false_contact() const { return wrong.false_contact.sum(); }
@@ -70,10 +82,13 @@ struct EngineTally {
       "is "
       "from 2^-20 to 2^20. Wrong verdicts count where their depth is above 16 u.";
   AXISCERT_FIELDS(EngineTally, AXISCERT_FIELD(queries, "Engine-like queries within the kernel's limits."),
-                  field(&Of::false_separation,
-                        figure_of("queries", "false_separation", "Missed contacts among them, deeper than 16 u.")),
-                  field(&Of::false_contact,
-                        figure_of("queries", "false_contact", "Phantom contacts among them, deeper than 16 u.")),
+                  AXISCERT_FIELD(decided_contacts, "Contacts among them that the kernel decided."),
+                  AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
+                  AXISCERT_FIELD(decided, "Both together."),
+                  field(&Of::false_separation, figure_of("decided_contacts", "false_separation",
+                                                         "Missed contacts among them, deeper than 16 u.")),
+                  field(&Of::false_contact, figure_of("decided_separations", "false_contact",
+                                                      "Phantom contacts among them, deeper than 16 u.")),
                   field(&EngineTally::wrong, {"depths", {}}))
 };
 

@@ -132,6 +132,8 @@ TYPED_TEST(EngineLike, CountsOfAUnitAddUp) {
       EXPECT_EQ(verdict.engine->wrong, exact[k].verdict.engine->wrong) << name;
       EXPECT_EQ(verdict.engine->queries, engine_like) << name;
       EXPECT_EQ(exact[k].verdict.engine->queries, engine_like) << name;
+      EXPECT_EQ(verdict.engine->decided(), engine_like) << name;
+      EXPECT_EQ(verdict.engine->decided_contacts, exact[k].verdict.engine->decided_contacts) << name;
       EXPECT_LE(sum(verdict.engine->wrong.false_contact), verdict.false_contact) << name;
     }
   }

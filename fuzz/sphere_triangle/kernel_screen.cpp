@@ -15,7 +15,7 @@ void CleanCount::add_ties(ComparisonBits ties) {
   for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
 }
 
-void CleanCount::add_to(Tally& tally) const {
+void CleanCount::add_to(Tally& tally, bool shows_signs) const {
   std::uint64_t separated = separated_, contact = contact_;
   for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
     (axes != 0 ? separated : contact) += by_axes_[axes];
@@ -26,7 +26,9 @@ void CleanCount::add_to(Tally& tally) const {
   tally.truth.contact += contact;
   tally.verdict.decided_separations += separated;
   tally.verdict.decided_contacts += contact;
+  tally.verdict.decided_touching += touching_;
   tally.truth.touching += touching_;
+  if (shows_signs) tally.count_signs(separated + contact);
   for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
 }
 
@@ -81,7 +83,7 @@ KernelScreen<Real>::KernelScreen(KernelRun<Real>& run, const JudgingOptions& jud
       errors_(formulae_, judging.tolerances, filter, run.standing(), first_position, tally_) {}
 
 template <class Real>
-void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
+void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const std::vector<std::uint8_t>& engine_like) {
   if (!by_signs_) return;
   if (kernel_.is_reference) reference_.evaluate(batch.queries.columns());
   const Real* radii = batch.queries.columns().column[coordinate_count - 1];
@@ -107,6 +109,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
   const bool is_flat = formulae_ != Formulae::none && !run_.has_replies(), is_reference = kernel_.is_reference;
   const Verdict* verdicts = run_.reply().verdicts.data();
   const ComparisonBits* bits = run_.reply().has_bits ? run_.reply().answers.bits.data() : nullptr;
+  EngineTally& engine = *tally_.verdict.engine;
   counted_.assign(batch.size(), false);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (batch.is_exact(i)) continue;
@@ -116,6 +119,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch) {
                           (!bits || bits[i] == signs.strict) && (!is_reference || reference_.shared(i) == signs.strict);
     if (is_clear) clean_.add(axes, 0, false);
     counted_[i] = is_clear || count_if_clean(i);
+    if (counted_[i] && engine_like[i]) engine.count(is_flat ? verdicts[i] : run_.answer(i).verdict);
   }
 }
 
@@ -135,11 +139,6 @@ void KernelScreen<Real>::look_at_errors(const DecidedBatch<Real>& batch) {
 }
 
 template <class Real>
-void KernelScreen<Real>::count_engine_like(std::uint64_t queries) {
-  if (!kernel_.limits.any()) tally_.verdict.engine->queries += queries;
-}
-
-template <class Real>
 void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, AskedSphereTriangle<Real>& look) {
   const Answer answer = run_.answer(i);
   const Query<Real>& q = look.query();
@@ -156,6 +155,7 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
     if (repeated && repeated->is_known) {
       ++repeated->repetitions;
       if (repeated->is_touching) depth.set_touching();
+      if (std::isfinite(depth.engine_threshold())) tally_.verdict.engine->count(repeated->judgement.right_of_decided);
       if (const auto flip = repeated->verdict_flip())
         count_depth(tally_, run_.position(i), *flip, depth, run_.standing());
       return;
@@ -252,7 +252,7 @@ void KernelScreen<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistanc
 template <class Real>
 void KernelScreen<Real>::finish() {
   errors_.settle();
-  clean_.add_to(tally_);
+  clean_.add_to(tally_, shows_comparisons());
   repeated_.add_to(tally_);
   CriticalRadiusTally& tally = tally_.critical_radius;
   const auto critical = critical_radii(run_.implementation(), sampled_, radii_);

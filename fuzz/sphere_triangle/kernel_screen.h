@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "exact/sphere_triangle/filters/signs.h"
@@ -27,7 +28,8 @@ class CleanCount {
     ++(verdict == Verdict::separated ? separated_ : contact_);
     touching_ += touching;
   }
-  void add_to(Tally& tally) const;
+  // `shows_signs`: the answers have comparisons.
+  void add_to(Tally& tally, bool shows_signs) const;
 
  private:
   void add_ties(ComparisonBits ties);
@@ -90,12 +92,10 @@ class KernelScreen {
   bool judges_by_signs() const { return by_signs_; }
 
   // These, where the kernel is judged by signs. Evaluates the reference, and counts the queries on which nothing is
-  // wrong with the answer, unless exact arithmetic judges them.
-  void count_in_bulk(const DecidedBatch<Real>& batch);
+  // wrong with the answer, unless exact arithmetic judges them. `engine_like` is of engine_like_queries().
+  void count_in_bulk(const DecidedBatch<Real>& batch, const std::vector<std::uint8_t>& engine_like);
   // Looks at the errors of the computed sides.
   void look_at_errors(const DecidedBatch<Real>& batch);
-  // Counts the engine-like queries of a batch, unless the kernel has limits: then they are counted one by one.
-  void count_engine_like(std::uint64_t queries);
   bool has_counted(std::size_t i) const { return !counted_.empty() && counted_[i]; }
 
   void judge_by_signs(std::size_t i, const Signs& signs, AskedSphereTriangle<Real>& look);

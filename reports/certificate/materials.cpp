@@ -220,17 +220,24 @@ void require_counts(const StretchCounts& counts, std::uint64_t queries, const st
   }
   require(verdict.false_separation <= verdict.decided_contacts && verdict.false_contact <= verdict.decided_separations,
           "more wrong answers than verdicts");
-  require(outside.false_separation <= outside.decided && outside.false_contact <= outside.decided &&
-              outside.decided <= outside.trials,
+  require(outside.decided_contacts <= outside.trials && outside.decided_separations <= outside.trials,
+          "more verdicts than queries outside its limits");
+  require(outside.false_separation <= outside.decided_contacts &&
+              outside.false_contact <= outside.decided_separations && outside.decided() <= outside.trials,
           "more wrong answers than verdicts outside its limits");
+  const ClearTally clear = verdict.clear.value_or(ClearTally());
+  require(clear.queries <= queries && clear.undecided <= queries && clear.decided_contacts <= queries &&
+              clear.decided_separations <= queries && clear.decided() + clear.undecided <= clear.queries,
+          "more answers to clear queries than there are");
   // A touching query may be neither right nor wrong.
   require(answered <= valid && valid <= answered + truth.touching, "more or fewer answers than valid queries");
   require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
           "more declined contacts than declined queries");
   // A touching query that a kernel means to call separated is a contact, and a false one.
   require(verdict.decided_contacts + verdict.undecided_contact <= truth.contact, "more decided contacts than contacts");
-  require(verdict.touching_flips <= verdict.false_separation + verdict.false_contact,
-          "more wrong verdicts on touching queries than wrong verdicts");
+  require(verdict.touching_flips <= verdict.false_separation + verdict.false_contact &&
+              verdict.touching_flips <= verdict.decided_touching && verdict.decided_touching <= truth.touching,
+          "more wrong verdicts on touching queries than wrong verdicts, or than verdicts on them");
   require((verdict.false_separation != 0 || verdict.deepest_false_separation.best() == 0) &&
               (verdict.false_contact != 0 || verdict.deepest_false_contact.best() == 0),
           "a depth of wrong verdicts, and none is wrong");

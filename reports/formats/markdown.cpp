@@ -39,10 +39,7 @@ std::string links(const LinkCounts& counts) {
 }
 
 // The same of verdicts; "-" where no link could show.
-std::string links_of(const KernelRecord& kernel, const FamilyRecord& family) {
-  const std::string shown = links(family.verdict.links);
-  return shown == "none" && evidence_of(kernel, family).decided() == 0 ? "-" : shown;
-}
+std::string links_of(const VerdictTally& verdict) { return verdict.decided() == 0 ? "-" : links(verdict.links); }
 
 // The number of the first query with each link, counted from 1; 0: none.
 LinkCounts first_of(const EnumArray<Link, FirstQuery>& first_by_link) {
@@ -130,7 +127,7 @@ class MarkdownReport {
         const VerdictTally& verdict = total.verdict;
         cells.insert(
             cells.end(),
-            {links_of(kernel, total), thousands(total.trials), with_rate(FlipKind::false_separation, kernel, total),
+            {links_of(verdict), thousands(total.trials), with_rate(FlipKind::false_separation, kernel, total),
              deepest_of(FlipKind::false_separation, kernel, total), with_rate(FlipKind::false_contact, kernel, total),
              deepest_of(FlipKind::false_contact, kernel, total), thousands(verdict.undecided),
              thousands(verdict.invalid), thousands(verdict.unanswered)});
@@ -202,7 +199,7 @@ class MarkdownReport {
     return {markdown_text(kernel.id),
             std::string(name(kernel.precision)),
             markdown_text(family) + (result.exact_arithmetic ? " (exact arithmetic)" : ""),
-            links_of(kernel, result),
+            links_of(verdict),
             thousands(result.trials),
             thousands(truth.separated),
             thousands(truth.contact),
@@ -212,7 +209,7 @@ class MarkdownReport {
             deepest(FlipKind::false_separation, verdict.farthest_false_separation),
             with_rate(FlipKind::false_contact, kernel, result),
             deepest(FlipKind::false_contact, verdict.farthest_false_contact),
-            thousands(verdict.touching_flips),
+            verdict.decided_touching == 0 ? "-" : thousands(verdict.touching_flips),
             thousands(verdict.undecided),
             thousands(verdict.unanswered)};
   }
@@ -229,10 +226,11 @@ class MarkdownReport {
       const std::optional<OutsideTally>& apart = result.verdict.outside_limits;
       if (!apart) return;
       any = true;
-      const auto decided = [&](std::string shown) { return apart->decided == 0 ? "-" : std::move(shown); };
-      cells.insert(cells.end(), {thousands(apart->trials), decided(thousands(apart->false_separation)),
-                                 decided(thousands(apart->false_contact)), decided(depth(apart->deepest)),
-                                 thousands(apart->unanswered)});
+      const auto told = [](std::uint64_t decided, std::string shown) { return decided == 0 ? "-" : std::move(shown); };
+      cells.insert(cells.end(), {thousands(apart->trials),
+                                 told(apart->decided_contacts, thousands(apart->false_separation)),
+                                 told(apart->decided_separations, thousands(apart->false_contact)),
+                                 told(apart->decided(), depth(apart->deepest)), thousands(apart->unanswered)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -253,9 +251,10 @@ class MarkdownReport {
       if (!result.asymmetry) return;
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
-      cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : "none",
+      const char* const none = found.images == 0 ? "-" : "none";
+      cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : none,
                                  thousands(found.images), found.images == 0 ? "-" : thousands(found.verdicts),
-                                 found.images == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
+                                 found.compared_comparisons == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -264,8 +263,10 @@ class MarkdownReport {
   std::string broken_links() const {
     Section section("Broken links by family");
     bool any = false;
+    std::uint64_t decided = 0;
     for_each_family([&](std::vector<std::string> cells, const KernelRecord&, const FamilyRecord& result) {
       const std::string wrong = links(result.verdict.links), masked = links(result.verdict.masked_links);
+      decided += result.verdict.decided();
       if (wrong == "none" && masked == "none") return;
       if (!any)
         section.add_head(
@@ -275,7 +276,9 @@ class MarkdownReport {
       cells.insert(cells.end(), {wrong, links(first_of(result.verdict.first_by_link)), masked});
       section.add_row(cells);
     });
-    if (!any) section.add_line("None.");
+    if (!any)
+      section.add_line(decided == 0 ? "No query was decided: no link could break."
+                                    : fmt::format("None on {} decided queries.", thousands(decided)));
     return section.text();
   }
 

@@ -217,10 +217,9 @@ std::string signs_section(const std::string& title, const std::string& level, co
       const bool has_flips = tally.false_separation != 0 || tally.missed_separation != 0;
       Cells& cells = (has_flips ? with_flips : without).emplace_back(of);
       cells.push_back(sign);
-      for (const std::optional<std::uint64_t> count :
-           {std::optional(tally.false_separation), std::optional(tally.missed_separation),
-            std::optional(tally.decisive), std::optional(tally.masked), tally.tolerance_failures})
-        cells.push_back(count_text(count));
+      for (const std::uint64_t count : {tally.false_separation, tally.missed_separation, tally.decisive, tally.masked})
+        cells.push_back(tally.judged == 0 ? "-" : thousands(count));
+      cells.push_back(count_text(tally.tolerance_failures));
       cells.push_back(error_amount(tally.max_error));
       for (const std::string& cell : own_cells(tally)) cells.push_back(cell);
     }

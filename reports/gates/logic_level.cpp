@@ -31,13 +31,8 @@ bool is_of_exact_arithmetic(const Subject& subject, const FamilyRecord& result) 
 // The look at a family of exact arithmetic is at the queries that do not touch.
 FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   const Evidence evidence = subject.evidence(result);
-  const VerdictTally& verdict = result.verdict;
-  const std::uint64_t touching = result.truth.touching;
-  // Touching queries that are promised and decided; of a kernel that promises nothing of touch there are none.
-  std::uint64_t touched = evidence.touching != 0 ? 0 : touching - verdict.undecided_touching;
-  if (verdict.outside_limits) touched -= std::min(touched, verdict.outside_limits->touching);
   const std::uint64_t decided = evidence.decided();
-  return {evidence.population - touching, decided - std::min(decided, touched)};
+  return {evidence.population - result.truth.touching, decided - std::min(decided, result.verdict.decided_touching)};
 }
 
 // Any other family is looked at by the clear ones that are decided. Fewer than the least are no evidence: then it

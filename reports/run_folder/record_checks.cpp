@@ -183,12 +183,17 @@ std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uin
     }
   }
   if (!verdict.engine) return std::nullopt;
+  const EngineTally& engine = *verdict.engine;
   for (const auto& [kind, part, whole] :
-       {std::tuple("false_separation", verdict.engine->false_separation(), verdict.false_separation),
-        {"false_contact", verdict.engine->false_contact(), verdict.false_contact}}) {
-    if (part > whole) return fmt::format("more {} on engine-like queries than on all", kind);
+       {std::tuple("false_separation", engine.false_separation(),
+                   std::min(verdict.false_separation, engine.decided_contacts)),
+        {"false_contact", engine.false_contact(), std::min(verdict.false_contact, engine.decided_separations)},
+        {"decided_contacts", engine.decided_contacts, verdict.decided_contacts},
+        {"decided_separations", engine.decided_separations, verdict.decided_separations}}) {
+    if (part > whole) return fmt::format("more {} on engine-like queries than on all, or than there were decided", kind);
   }
-  if (verdict.engine->queries > valid) return "more engine-like queries than valid ones";
+  if (engine.decided() > engine.queries || engine.queries > valid)
+    return "more engine-like queries than valid ones, or more decided ones";
   return std::nullopt;
 }
 

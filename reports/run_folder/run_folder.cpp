@@ -197,8 +197,9 @@ class RecordCheck {
                 outside.touching <= std::min(outside.contact, touching) &&
                 outside.trials - outside.contact <= separated,
             where, "more contacts, touching or separated queries outside the limits than there are");
-    require(outside.false_separation + outside.false_contact <= outside.decided &&
-                outside.decided + outside.unanswered <= outside.trials,
+    require(outside.false_separation <= outside.decided_contacts &&
+                outside.false_contact <= outside.decided_separations &&
+                outside.decided() + outside.unanswered <= outside.trials,
             where, "more wrong and missing answers outside the limits than queries there");
     require(missed <= must_touch, where, "more false_separation verdicts than contacts");
     require(phantom <= must_not, where, "more false_contact verdicts than separated queries");
@@ -217,13 +218,17 @@ class RecordCheck {
     require(verdict.clear.has_value() != has_reference, where,
             "clear is counted where the kernel has no reference, and only there");
     const ClearTally clear = verdict.clear.value_or(ClearTally());
-    require(
-        clear.wrong() + clear.undecided + clear.unanswered <= clear.queries && clear.queries <= valid - outside.trials,
-        where, "more answers to clear queries than there are, or more of these than valid queries");
+    require(clear.false_separation <= clear.decided_contacts && clear.false_contact <= clear.decided_separations &&
+                clear.decided() + clear.undecided <= clear.queries && clear.queries <= valid - outside.trials,
+            where, "more answers to clear queries than there are, or more of these than valid queries");
     require(clear.false_separation <= verdict.false_separation && clear.false_contact <= verdict.false_contact &&
-                clear.undecided <= verdict.undecided && clear.unanswered <= verdict.invalid + verdict.unanswered,
+                clear.undecided <= verdict.undecided && clear.unanswered() <= verdict.invalid + verdict.unanswered &&
+                clear.decided_contacts <= verdict.decided_contacts &&
+                clear.decided_separations <= verdict.decided_separations,
             where, "more answers of one kind to clear queries than to all");
-    require(verdict.touching_flips <= wrong, where, "more touching_flips than wrong verdicts");
+    require(verdict.touching_flips <= std::min(wrong, verdict.decided_touching) &&
+                verdict.decided_touching <= std::min(verdict.decided(), touching - outside.touching),
+            where, "more touching_flips than wrong verdicts, or than decided queries that touch");
     require_no(fault_of_depths(verdict, valid), where);
     for (const Link link : enumerators<Link>) {
       const std::uint64_t count = verdict.links[link], of_touching = verdict.touching_links[link];
@@ -262,11 +267,16 @@ class RecordCheck {
     require(!kernel.measures || kernel.measures->empty() ||
                 (family.contacts && (!family.contacts->missed || family.contacts->time)),
             where, "without what the kernel says beside its verdicts, though it gives measures");
+    const std::uint64_t promised = truth.contact + truth.separated -
+                                   family.verdict.outside_limits.value_or(OutsideTally()).trials;
     const auto check_signs = [&](const auto& signs) {
       if (!signs) return;
       for (const auto& [sign, tally] : *signs) {
-        require(tally.masked + tally.decisive == tally.false_separation + tally.missed_separation, where + ", " + sign,
+        const std::uint64_t flips = tally.false_separation + tally.missed_separation;
+        require(tally.masked + tally.decisive == flips, where + ", " + sign,
                 "masked and decisive do not add up to the flips");
+        require(flips <= tally.judged && tally.judged <= promised, where + ", " + sign,
+                "more flips than judged queries, or more of these than valid ones");
       }
     };
     check_signs(family.axes);

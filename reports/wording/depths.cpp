@@ -50,19 +50,16 @@ std::string depths_text(const DecadeCounts& decades) {
 std::string engine_text(const FamilyRecord& family) {
   if (!family.verdict.engine) return "";
   const EngineTally& engine = *family.verdict.engine;
-  // Touching ones among them are of no matter to what it promises of touch: each counts that got a verdict.
-  const Evidence all = evidence_of(TouchingPolicy::contact, family);
-  const std::uint64_t decided = std::min(engine.queries, all.decided());
-  if (decided == 0) return fmt::format("none of {} engine-like queries decided", thousands(engine.queries));
-  const auto told = [&](FlipKind kind, std::uint64_t wrong, const char* none, const char* what) {
-    return wrong == 0 && all.decided_for(kind) == 0 ? none : fmt::format("{} {}", thousands(wrong), what);
+  if (engine.decided() == 0) return fmt::format("none of {} engine-like queries decided", thousands(engine.queries));
+  const auto told = [](std::uint64_t decided, std::uint64_t wrong, const char* none, const char* what) {
+    return decided == 0 ? none : fmt::format("{} {}", thousands(wrong), what);
   };
   return fmt::format(
       "{} and {} on {} engine-like queries{}",
-      told(FlipKind::false_separation, engine.false_separation(), "no contact decided", "missed"),
-      told(FlipKind::false_contact, engine.false_contact(), "no separation decided", "phantom contacts"),
+      told(engine.decided_contacts, engine.false_separation(), "no contact decided", "missed"),
+      told(engine.decided_separations, engine.false_contact(), "no separation decided", "phantom contacts"),
       thousands(engine.queries),
-      decided < engine.queries ? fmt::format(", of which it decided at most {}", thousands(decided)) : "");
+      engine.decided() < engine.queries ? fmt::format(", of which it decided {}", thousands(engine.decided())) : "");
 }
 
 std::string bias_text(const KernelRecord& kernel, const FamilyRecord& family) {

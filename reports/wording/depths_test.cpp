@@ -69,7 +69,7 @@ FamilyRecord sides() {
   FamilyRecord family;
   family.trials = family.base_triangles = 1000;
   family.truth = {400, 600, 0, 0};
-  family.verdict.engine->queries = 1000;
+  family.verdict.engine = EngineTally{1000, 600, 400};
   return family;
 }
 
@@ -83,11 +83,13 @@ TEST(SideWords, NothingIsSaidOfASideThatGotNoVerdict) {
       << "600 contacts, not 1,000 queries";
   family.verdict.undecided = family.verdict.undecided_contact = 600;
   EXPECT_EQ(bias_text(kernel, family), "phantom contacts alone, with 0 of 600 contacts decided");
+  family.verdict.engine->decided_contacts = 0;
   EXPECT_EQ(engine_text(family),
-            "no contact decided and 0 phantom contacts on 1,000 engine-like queries, of which it decided at most 400");
+            "no contact decided and 0 phantom contacts on 1,000 engine-like queries, of which it decided 400");
   EXPECT_EQ(with_rate(FlipKind::false_separation, kernel, family), "not checked");
   EXPECT_EQ(with_rate(FlipKind::false_contact, kernel, family), "20 (20,000 per million)");
   family.verdict.undecided = 1000;
+  family.verdict.engine->decided_separations = 0;
   EXPECT_EQ(engine_text(family), "none of 1,000 engine-like queries decided");
 }
 

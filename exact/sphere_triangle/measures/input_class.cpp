@@ -188,11 +188,12 @@ template bool is_engine_like(const Query<float>&);
 template bool is_engine_like(const Query<double>&);
 
 template <class Real>
-std::uint64_t engine_like_queries(const QueryColumns<Real>& columns) {
+std::vector<std::uint8_t> engine_like_queries(const QueryColumns<Real>& columns) {
   // Blocks of a fixed size and flags as wide as a number: a compiler makes vectors of these loops.
   constexpr std::size_t radius = coordinate_count - 1, block = 64;
   using Flag = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-  const auto count_from = [&](std::size_t first, auto size) {
+  std::vector<std::uint8_t> all(columns.size);
+  const auto put_from = [&](std::size_t first, auto size) {
     std::array<Flag, block> flags;
     const Real* radii = columns.column[radius] + first;
     for (std::size_t i = 0; i < size; ++i) flags[i] = is_engine_radius(radii[i]);
@@ -200,18 +201,14 @@ std::uint64_t engine_like_queries(const QueryColumns<Real>& columns) {
       const Real* x = columns.column[c] + first;
       for (std::size_t i = 0; i < size; ++i) flags[i] &= Flag{is_engine_coordinate(x[i])};
     }
-    Flag count = 0;
-    for (std::size_t i = 0; i < size; ++i) count += flags[i];
-    return static_cast<std::uint64_t>(count);
+    for (std::size_t i = 0; i < size; ++i) all[first + i] = static_cast<std::uint8_t>(flags[i]);
   };
-  std::uint64_t count = 0;
   std::size_t first = 0;
-  for (; first + block <= columns.size; first += block) {
-    count += count_from(first, std::integral_constant<std::size_t, block>());
-  }
-  return count + count_from(first, columns.size - first);
+  for (; first + block <= columns.size; first += block) put_from(first, std::integral_constant<std::size_t, block>());
+  put_from(first, columns.size - first);
+  return all;
 }
-template std::uint64_t engine_like_queries(const QueryColumns<float>&);
-template std::uint64_t engine_like_queries(const QueryColumns<double>&);
+template std::vector<std::uint8_t> engine_like_queries(const QueryColumns<float>&);
+template std::vector<std::uint8_t> engine_like_queries(const QueryColumns<double>&);
 
 }  // namespace axiscert
