@@ -57,8 +57,9 @@ bool print_brief_outcomes(const std::vector<LevelOutcome>& outcomes, bool quiet)
 // Lines of one kind that are printed; ratchet.json in the run's folder has all of them.
 constexpr std::size_t most_lines = 40;
 
-// Prints what is worse, the worst first, and what is better; returns whether the ratchet is met.
-bool print_ratchet_outcome(const RatchetOutcome& outcome, const OutputOptions& output, bool is_quiet) {
+// Prints what is worse, the worst first, and what is better; returns whether the ratchet is met. `is_judged`: the whole
+// plan; no ratchet makes another run pass.
+bool print_ratchet_outcome(const RatchetOutcome& outcome, const OutputOptions& output, bool is_quiet, bool is_judged) {
   const auto more = [&](std::size_t all) {
     return all <= most_lines ? ""
                              : fmt::format("{} more, in {}/{}", all - most_lines, output.out, ratchet_outcome_file);
@@ -77,9 +78,10 @@ bool print_ratchet_outcome(const RatchetOutcome& outcome, const OutputOptions& o
   if (const std::string rest = more(outcome.failures.size()); !rest.empty())
     fmt::print(stderr, "axiscert: --ratchet: {}\n", rest);
   if (!outcome.failures.empty()) {
-    fmt::print(stderr,
-               "axiscert: {} is not met; {}/ratchet.txt would accept this run, once its accept: lines are filled in\n",
-               output.ratchet, output.out);
+    fmt::print(stderr, "axiscert: {} is not met; {}\n", output.ratchet,
+               is_judged ? fmt::format("{}/ratchet.txt would accept this run, once its accept: lines are filled in",
+                                       output.out)
+                         : "no ratchet accepts a run in which something is NOT JUDGED");
   }
   return outcome.failures.empty();
 }
@@ -163,7 +165,7 @@ int put_result(JudgedRun run, const OutputOptions& output) {
   if (!output.quiet && output.format == "csv") fmt::print("{}", read_bytes(output.out + "/" + record_csv_file));
   bool is_met = nothing.empty();
   if (!(output.is_brief ? print_brief_outcomes : print_outcomes)(outcomes, is_quiet)) is_met = false;
-  if (held && !print_ratchet_outcome(*held, output, is_quiet)) is_met = false;
+  if (held && !print_ratchet_outcome(*held, output, is_quiet, nothing.empty())) is_met = false;
   if (run.ratchet && !held)
     fmt::print(stderr, "axiscert: --ratchet {}: NOT CHECKED: {}\n", output.ratchet, interrupted_text(record));
   if (!is_complete) return interrupted_code();

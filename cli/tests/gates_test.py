@@ -143,6 +143,8 @@ class Gates(GatesCase):
         lines = [line for line in held.stderr.splitlines() if "--ratchet: " in line]
         self.assertRegex(lines[0], r"binary32 promises less than the ratchet: radius from 1e\+30, was none: 2,000 of its queries then, 0 now")
         self.assertIn("decided none of its 0 promised queries", held.stderr)
+        self.assertIn("no ratchet accepts a run in which something is NOT JUDGED", held.stderr)
+        self.assertNotIn("would accept this run", held.stderr)
         self.assertNotIn("better", held.stdout)
         done = axiscert("compare", self.folder / "base", self.folder / "new", "--kernel", later, "--out", self.folder / "compared")
         self.assertEqual(done.returncode, 1, done.stdout)

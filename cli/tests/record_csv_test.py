@@ -54,7 +54,8 @@ def verdict_table(rows):
                       ", ".join(links) or ("none" if count["verdict.decided"] else "-"), f"{count['trials']:,}",
                       *(f"{count[f'truth.{what}']:,}" for what in ("separated", "contact", "touching", "invalid")),
                       *figures("false_separation"), *figures("false_contact"),
-                      *(f"{count[f'verdict.{what}']:,}" for what in ("touching_flips", "undecided", "unanswered"))])
+                      f"{count['verdict.touching_flips']:,}" if count["verdict.decided_touching"] else "-",
+                      *(f"{count[f'verdict.{what}']:,}" for what in ("undecided", "unanswered"))])
     return sorted(table)
 
 

@@ -51,8 +51,11 @@ class OrderProbe {
     const auto said = subject_.ask(queries), of_images = subject_.ask(images);
     std::size_t differing = 0;
     for (std::size_t i = 0; i < said.size(); ++i) {
+      ++asked_;
       if (!is_decided(said[i]) || !is_decided(of_images[i])) continue;
       ++answered_;
+      says_contact_ |= said[i] == Verdict::contact;
+      says_separated_ |= said[i] == Verdict::separated;
       if (said[i] == of_images[i]) continue;
       ++differing;
       if (shows && !*shows) {
@@ -92,7 +95,11 @@ class OrderProbe {
       planes[std::string(how.name)] = in_plane[k];
     }
     return concluded({by_signs, by_pair, in_plane}, general_witness, flat_witness,
-                     {{"answered", answered_}, {"by_signs", by_signs}, {"by_pair", pairs}, {"in_plane", planes}});
+                     {{"answered", answered_},
+                      {"asked", asked_},
+                      {"by_signs", by_signs},
+                      {"by_pair", pairs},
+                      {"in_plane", planes}});
   }
 
  private:
@@ -101,10 +108,20 @@ class OrderProbe {
     std::array<std::size_t, 3> by_pair, in_plane;
   };
 
-  static ProbeFinding concluded(const Counts& counts, const std::optional<DiagnosisWitness>& general_witness,
-                                const std::optional<DiagnosisWitness>& flat_witness, const Json& measured) {
+  ProbeFinding concluded(const Counts& counts, const std::optional<DiagnosisWitness>& general_witness,
+                         const std::optional<DiagnosisWitness>& flat_witness, const Json& measured) const {
     const auto is_none = [](std::size_t n) { return n == 0; };
-    if (measured["answered"] == 0) return undecided("It decides nothing near touching.", measured);
+    if (answered_ == 0) return undecided("It decides nothing near touching.", measured);
+    if (10 * answered_ < 9 * asked_) {
+      return undecided(fmt::format("It decides {} of {} pairs near touching: those that it declines may change.",
+                                   answered_, asked_),
+                       measured);
+    }
+    if (!says_contact_ || !says_separated_) {
+      return undecided(fmt::format("Near touching it says nothing but {}: no answer could change.",
+                                   name(says_contact_ ? Verdict::contact : Verdict::separated)),
+                       measured);
+    }
     if (counts.by_signs != 0) {
       return undecided(fmt::format("{} answers near touching change with the signs of two coordinates: it does not "
                                    "round to nearest, or does other things than multiply and add.",
@@ -141,7 +158,8 @@ class OrderProbe {
 
   Subject<Real>& subject_;
   const decltype(Scenes<Real>::near_tie) near_tie_;
-  std::size_t answered_ = 0;
+  std::size_t asked_ = 0, answered_ = 0;  // pairs, and those of which both are decided
+  bool says_contact_ = false, says_separated_ = false;
 };
 
 }  // namespace

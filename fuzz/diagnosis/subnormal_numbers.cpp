@@ -1,4 +1,5 @@
 // Whether subnormal numbers are numbers for a kernel, or zero.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,11 @@ class SubnormalProbe {
     if (kept && !flushed) {
       return decided(Subnormals::kept, "Subnormal numbers are numbers to it: " + text(*kept, "kept", "flushed"),
                      {*witness_}, json_of(*kept));
+    }
+    const auto decides = static_cast<std::size_t>(std::ranges::count_if(said_, is_decided));
+    if (decides != said_.size()) {
+      return undecided(fmt::format("It decides {} of {} small scenes: what it declines does not tell.", decides,
+                                   said_.size()));
     }
     return undecided(
         "Small scenes do not tell: it answers neither as a built-in form nor as one with subnormal numbers "

@@ -185,7 +185,13 @@ std::string nothing_broke(const CertificatePredicate& predicate) {
   const LeftOutStatement& out = asked.left_out;
   std::string text = fmt::format("Nothing was looked at: none of {} queries was decided.", thousands(asked.queries));
   if (asked.looked_at != 0) {
-    text = fmt::format("Nothing broke on {} decided queries", thousands(asked.looked_at));
+    // No verdict is wrong; a level of numbers may still not be met.
+    const std::vector<std::string> failed = levels_with(predicate, LevelState::not_met);
+    text = fmt::format("{} on {} decided queries", failed.empty() ? "Nothing broke" : "No verdict is wrong",
+                       thousands(asked.looked_at));
+    if (!failed.empty())
+      text += failed.size() > 3 ? fmt::format("; {} levels are not met", failed.size())
+                                : fmt::format("; not met: {}", fmt::join(failed, ", "));
     if (asked.contacts <= out.declined_contacts) text += "; no contact was decided";
     if (asked.separations <= out.declined - out.declined_contacts) text += "; no separation was decided";
     text += ".";

@@ -154,7 +154,8 @@ TEST(Junit, ARatchetPassesNoFamilyThatWasNotDecided) {
   const std::string passes = "name=\"lattice verdict\" time=\"0\"/>";
   EXPECT_THAT(published(json), HasSubstr(passes));
   Json& verdict = json["kernels"][0]["families"]["lattice"]["verdict"];
-  for (const char* decided : {"decided", "decided_contacts", "decided_separations"}) verdict[decided] = 0;
+  for (const char* decided : {"decided", "decided_contacts", "decided_separations", "decided_touching"})
+    verdict[decided] = 0;
   verdict["undecided"] = 500;
   verdict["undecided_contact"] = 300;
   verdict["undecided_touching"] = 60;

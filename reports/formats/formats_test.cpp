@@ -125,6 +125,9 @@ TEST(Reports, EveryFormatHasTheDepths) {
   verdict["depths"] = depths(
       {{"false_separation", {{"zero", 3}, {"-12", 30}, {"-1", 7}}}, {"false_contact", {{"-7", 20}}}, {"deep", 7}});
   verdict["engine_like"] = {{"queries", 600},
+                            {"decided_contacts", 360},
+                            {"decided_separations", 240},
+                            {"decided", 600},
                             {"false_separation", 7},
                             {"false_contact", 0},
                             {"depths", depths({{"false_separation", {{"-1", 7}}}, {"deep", 7}})}};

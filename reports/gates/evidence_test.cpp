@@ -35,6 +35,7 @@ Json right_kernel() {
                                "undecided_touching", "invalid", "unanswered", "touching_flips"}) {
       verdict[member] = 0;
     }
+    verdict["decided_touching"] = 60;
   }
   return record;
 }
@@ -43,14 +44,8 @@ Json& family_of(Json& record, const char* name = "lattice") { return kernel_of(r
 Json& verdict_of(Json& record, const char* name = "lattice") { return family_of(record, name)["verdict"]; }
 
 void put_outside(Json& verdict, std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
-  verdict["outside_limits"] = {{"trials", contact + separated},
-                               {"decided", contact + separated},
-                               {"false_separation", 0},
-                               {"false_contact", 0},
-                               {"unanswered", 0},
-                               {"contact", contact},
-                               {"touching", touching},
-                               {"deepest", 0}};
+  verdict["outside_limits"] = outside_all(contact, touching, separated);
+  verdict["decided_touching"] = 60 - touching;
 }
 void declare_limits(Json& record) {
   kernel_of(record)["limits"] = {{"least_coordinate", nullptr},
@@ -66,6 +61,8 @@ void decline(Json& verdict, std::uint64_t contacts, std::uint64_t touching, std:
   verdict["undecided"] = contacts + separations;
   verdict["undecided_contact"] = contacts;
   verdict["undecided_touching"] = touching;
+  const Json& outside = verdict["outside_limits"];
+  verdict["decided_touching"] = 60 - touching - (outside.is_null() ? 0 : outside["touching"].get<std::uint64_t>());
 }
 
 LevelOutcome judged_at(const auto& record, const std::string& level) {

@@ -185,16 +185,8 @@ TEST(Unjudged, IsAKernelThatDidNotLoadAndAFamilyWithoutQueries) {
   EXPECT_THAT(unjudged(record), Contains("plugin:text.so: NOT JUDGED: it could not be loaded: file too short"));
   record = stored_record();
   for (Json& family : record["kernels"][0]["families"]) {
-    const std::uint64_t valid =
-        family["truth"]["separated"].get<std::uint64_t>() + family["truth"]["contact"].get<std::uint64_t>();
-    family["verdict"]["outside_limits"] = {{"trials", valid},
-                                           {"decided", valid},
-                                           {"false_separation", 0},
-                                           {"false_contact", 0},
-                                           {"unanswered", 0},
-                                           {"contact", family["truth"]["contact"]},
-                                           {"touching", family["truth"]["touching"]},
-                                           {"deepest", 0.0}};
+    const Json& truth = family["truth"];
+    family["verdict"]["outside_limits"] = outside_all(truth["contact"], truth["touching"], truth["separated"]);
   }
   EXPECT_THAT(unjudged(record),
               Contains("published binary32: NOT JUDGED: every valid query is outside the limits that it declares"));

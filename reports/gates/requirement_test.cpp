@@ -242,7 +242,7 @@ TEST(LevelOutcome, LogicWithoutExactArithmeticIsNotChecked) {
   }
   Json touching = of_verdicts();
   Json& lattice = families_in(touching)["lattice"];
-  lattice["truth"]["touching"] = lattice["trials"];
+  lattice["truth"]["touching"] = lattice["verdict"]["decided_touching"] = lattice["trials"];
   expect_unchecked(touching, "logic", "no clear query was decided, and none of a family of exact arithmetic");
 }
 

@@ -20,10 +20,8 @@ inline Record edited(Json json) {
           std::max(verdict["deepest_false_separation"].get<double>(), verdict["deepest_false_contact"].get<double>());
       verdict["decided"] =
           verdict["decided_contacts"].get<std::uint64_t>() + verdict["decided_separations"].get<std::uint64_t>();
-      if (Json& clear = verdict["clear"]; clear.is_object()) {
-        clear["decided"] = clear["queries"].get<std::uint64_t>() - clear["undecided"].get<std::uint64_t>() -
-                           clear["unanswered"].get<std::uint64_t>();
-      }
+      if (verdict["decided"] == 0) verdict["links"] = verdict["masked_links"] = nullptr;
+      if (verdict["decided_touching"] == 0) verdict["touching_flips"] = verdict["touching_links"] = nullptr;
       for (const char* level : {"axes", "comparisons"}) {
         if (family[level].is_null()) continue;
         for (Json& tally : family[level]) tally["smallest_passing_tolerance"] = tally["max_error_u"];

@@ -99,6 +99,20 @@ inline std::size_t occurrences(const std::string& text, const std::string& piece
 
 // For tests: the stored run whose `published` promises something else.
 
+// So many queries outside the limits, all of them decided, and right.
+inline Json outside_all(std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
+  return {{"trials", contact + separated},
+          {"decided_contacts", contact},
+          {"decided_separations", separated},
+          {"decided", contact + separated},
+          {"false_separation", 0},
+          {"false_contact", 0},
+          {"unanswered", 0},
+          {"contact", contact},
+          {"touching", touching},
+          {"deepest", 0.0}};
+}
+
 // `published` promises nothing below this radius, and so many valid queries of each family are outside, of which three
 // in five are contacts.
 inline Json with_least_radius(double radius, std::uint64_t outside) {
@@ -114,9 +128,7 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
   for (Json& family : kernel["families"]) {
     const std::uint64_t contacts = outside * 3 / 5;
     Json& verdict = family["verdict"];
-    verdict["outside_limits"] = {{"trials", outside},  {"decided", outside}, {"false_separation", 0},
-                                 {"false_contact", 0}, {"unanswered", 0},    {"contact", contacts},
-                                 {"touching", 0},      {"deepest", 0.0}};
+    verdict["outside_limits"] = outside_all(contacts, 0, outside - contacts);
     const auto leave_out = [&](const char* figure, std::uint64_t count) {
       verdict[figure] = verdict[figure].get<std::uint64_t>() - count;
     };

@@ -44,9 +44,12 @@ function failure_item(data, failure) {
   return item;
 }
 
+// `links` is null where no query was decided.
+function links_total(links) { return links && Object.values(links).reduce((x, y) => x + y, 0); }
+
 function links_bar(links) {
-  const total = Object.values(links).reduce((x, y) => x + y, 0);
-  if (total === 0) return null;
+  const total = links_total(links);
+  if (!total) return null;
   const bar = el('div', 'bar');
   bar.setAttribute('aria-hidden', 'true');
   for (const [link, n] of Object.entries(links).filter(([, n]) => n > 0)) {
@@ -58,6 +61,7 @@ function links_bar(links) {
 }
 
 function link_chips(counts) {
+  if (counts === null) return '-';
   const broken = Object.entries(counts).filter(([, n]) => n > 0);
   if (broken.length === 0) return el('span', 'zero', 'none');
   return el('span', 'chips', ...broken.map(([link, n]) => chip(`${link} ${count(n)}`, `link-${link}`)));
@@ -97,9 +101,9 @@ function metric(data, entry, label, member, alarm) {
 // One sentence for each broken link: how often, where most often, and how soon it shows.
 function link_sentences(data, entry) {
   const list = el('ul', 'sentences');
-  for (const [link, n] of Object.entries(entry.all.verdict.links)) {
+  for (const [link, n] of Object.entries(entry.all.verdict.links ?? {})) {
     if (n === 0) continue;
-    const families = Object.entries(entry.families).map(([family, result]) => ({family, n: result.verdict.links[link],
+    const families = Object.entries(entry.families).map(([family, result]) => ({family, n: result.verdict.links?.[link] ?? 0,
       first: result.verdict.first_by_link[link]})).filter((where) => where.n > 0).sort((x, y) => y.n - x.n);
     const soonest = families.filter(({first}) => first !== null).sort((x, y) => x.first - y.first)[0];
     const item = el('li', '', chip(link, `link-${link}`), ` in ${count(n)} wrong verdicts, most on `,
@@ -165,12 +169,6 @@ function tolerance_fact(total) {
   return counts.length === 0 ? 'not checked' : count(counts.reduce((x, y) => x + y, 0));
 }
 
-// "-" where no touching query is known to have a verdict.
-function touching_fact({truth, verdict}) {
-  const decided = truth.touching - (verdict.outside_limits?.touching ?? 0) - verdict.undecided_touching - verdict.invalid - verdict.unanswered;
-  return verdict.touching_flips === 0 && decided <= 0 ? '-' : count(verdict.touching_flips);
-}
-
 function largest_error(total) {
   if (total.comparisons === null) return 'not exposed';
   if (Object.values(total.comparisons).every((tally) => tally.max_error_u === null)) return 'not measured: it shows no sides';
@@ -216,7 +214,8 @@ function more_facts(entry) {
   }
   if (entry.engine_text) fact('engine-like', entry.engine_text);
   if (entry.bias_text) fact('errs', entry.bias_text);
-  fact('wrong on touching', touching_fact(total));
+  fact('wrong on touching', total.verdict.touching_flips === null ? '-'
+       : `${count(total.verdict.touching_flips)} of ${count(total.verdict.decided_touching)}`);
   fact('tolerance failures', tolerance_fact(total));
   fact('largest error', largest_error(total));
   fact('critical radius', radius.largest_ulps === null ? 'not sampled'

@@ -14,7 +14,7 @@ function short_count(n) {
 
 // The record counts weight and kind separately, not their combinations: choosing one sets the other to all.
 const heat_figures = [
-  ['sign errors', (tally) => tally.false_separation + tally.missed_separation, {}],
+  ['sign errors', (tally) => tally.judged === 0 ? null : tally.false_separation + tally.missed_separation, {}],
   ['decisive', (tally) => tally.decisive, {weight: 'decisive'}],
   ['masked', (tally) => tally.masked, {weight: 'masked'}],
   ['false_separation', (tally) => tally.false_separation, {kind: 'false_separation'}],
@@ -41,13 +41,13 @@ function heat_cell(data, {entry, family, result, name, tally, figure}) {
   const cell = el('td', 'heat');
   if (n === null) {
     cell.append('·');
-    cell.title = 'not checked: no tolerance was given';
+    cell.title = filter.tolerance ? 'not checked: no tolerance was given' : 'not checked: no query was decided';
     return cell;
   }
-  const valid = result.trials - result.truth.invalid;
-  const [number, limit] = rate(n, result);
-  const words = `${name} on ${family ?? 'all families'}: ${label} ${number} of ${count(valid)} ${limit}`;
-  cell.classList.add(`heat-${heat_level(n, valid)}`);
+  const looked_at = filter.tolerance ? result.trials - result.truth.invalid : tally.judged;
+  const limit = n > 0 ? `(${amount(1e6 * n / looked_at, 3)} per million)` : rate(0, result)[1];
+  const words = `${name} on ${family ?? 'all families'}: ${label} ${count(n)} of ${count(looked_at)} ${limit}`;
+  cell.classList.add(`heat-${heat_level(n, looked_at)}`);
   if (n === 0 || filter.tolerance) {
     cell.append(n === 0 ? '0' : short_count(n));
     cell.title = words;

@@ -18,7 +18,7 @@ function origins_table(data, entry) {
     }}),
     column.text('links', wrong, {numeric: true, left: true,
                                  cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
-    column.text('breaks that cancelled', (row) => Object.values(row.result.verdict.masked_links).reduce((x, y) => x + y, 0),
+    column.text('breaks that cancelled', (row) => links_total(row.result.verdict.masked_links),
                 {numeric: true, left: true, cell: (td, value, row) => td.append(link_chips(row.result.verdict.masked_links))}),
   ], rows, grouped(data, rows));
 }
@@ -152,7 +152,7 @@ function show_origins(data) {
     const place = document.getElementById('links-table');
     const show = (index) => {
       const entry = shown[index];
-      const has_other_links = Object.entries(entry.all.verdict.links).some(([link, n]) => link !== 'unattributed' && n > 0);
+      const has_other_links = Object.entries(entry.all.verdict.links ?? {}).some(([link, n]) => link !== 'unattributed' && n > 0);
       // Where no link says why, a table of links would say `unattributed` in every row.
       if (entry.classes === null) place.replaceChildren(origins_table(data, entry));
       else place.replaceChildren(classes_box(data, entry), ...(has_other_links ? [origins_table(data, entry)] : []));

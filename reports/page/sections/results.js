@@ -47,9 +47,9 @@ function families_table(data, rows) {
     ...wrong('false_contact', 'phantom contacts', 'warn'),
     answers('touching_flips', null, 'warn'), answers('undecided'), answers('invalid', 'invalid answers', 'warn'),
     answers('unanswered', 'no answer', 'bad'),
-    column.text('broken links', (row) => Object.values(row.result.verdict.links).reduce((x, y) => x + y, 0),
+    column.text('broken links', (row) => links_total(row.result.verdict.links),
                 {numeric: true, left: true, note: verdict.links,
-                 cell: (td, value, row) => td.append(row.result.verdict.decided === 0 ? '-' : link_chips(row.result.verdict.links))}),
+                 cell: (td, value, row) => td.append(link_chips(row.result.verdict.links))}),
   ], rows, grouped(data, rows));
 }
 
@@ -59,25 +59,26 @@ function apart_tables(data, rows) {
   const limited = rows.filter((row) => row.result.verdict.outside_limits !== null);
   if (limited.length > 0) {
     made.push(el('h3', '', 'Outside its limits'), table('Outside its limits', [...family_columns(rows),
-      ...['trials', 'decided', 'false_separation', 'false_contact', 'unanswered'].map((member) => column.count(
+      ...['trials', 'decided_contacts', 'decided_separations', 'false_separation', 'false_contact', 'unanswered'].map((member) => column.count(
         member, (row) => row.result.verdict.outside_limits[member], {note: data.notes.outside_limits[member]}))], limited, grouped(data, limited)));
   }
   const imaged = rows.filter((row) => row.result.asymmetry);
   if (imaged.length > 0) {
     made.push(el('h3', '', 'Asymmetry'), table('Asymmetry: other answers to images of queries', [...family_columns(rows),
-      ...['images', 'verdicts', 'comparisons'].map((member) => column.count(member, (row) => row.result.asymmetry[member],
-        {note: data.notes.asymmetry[member], alarm: member === 'images' ? undefined : 'warn'}))], imaged, grouped(data, imaged)));
+      ...['images', 'verdicts', 'compared_comparisons', 'comparisons'].map((member) => column.count(member,
+        (row) => row.result.asymmetry[member],
+        {note: data.notes.asymmetry[member], alarm: ['verdicts', 'comparisons'].includes(member) ? 'warn' : undefined}))], imaged, grouped(data, imaged)));
   }
   return el('div', '', ...made);
 }
 
 function link_counts_table(data, rows) {
   const links = Object.keys(data.links);
-  const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member][link], {
+  const group = (label, member) => links.map((link) => column.count(link, (row) => row.result.verdict[member]?.[link], {
     group: label, note: data.links[link], alarm: member === 'links' ? 'bad' : undefined, may_go: true}));
   return table('Broken links', [
     ...family_columns(rows), ...group('wrong verdicts', 'links'),
-    ...links.filter((link) => rows.some((row) => row.result.verdict.links[link] > 0)).map((link) =>
+    ...links.filter((link) => rows.some((row) => row.result.verdict.links?.[link] > 0)).map((link) =>
       column.count(link, (row) => row.result.verdict.first_by_link[link],
                    {group: 'first query with it', note: data.notes.verdict.first_by_link, none: 'none'})),
     ...group('cancelled: the verdict is right', 'masked_links'),
@@ -214,10 +215,10 @@ function show_families(data) {
 function sign_columns(notes, level) {
   const of = (member, more) => column.count(member, (row) => row.tally[member], {note: notes[level][member], ...more});
   const links = Object.keys(notes.formula_links).map((link) =>
-    column.count(link, (row) => row.tally.links[link], {group: 'links broken by flips', note: notes.formula_links[link], may_go: true}));
+    column.count(link, (row) => row.tally.links?.[link], {group: 'links broken by flips', note: notes.formula_links[link], may_go: true}));
   return [
     column.text(level, (row) => row.name, {cell: (th, value) => th.append(el('span', 'name', value))}),
-    of('false_separation', {group: 'flips', alarm: 'bad'}), of('missed_separation', {group: 'flips', alarm: 'warn'}),
+    of('judged'), of('false_separation', {group: 'flips', alarm: 'bad'}), of('missed_separation', {group: 'flips', alarm: 'warn'}),
     of('decisive', {group: 'flips'}), of('masked', {group: 'flips'}),
     ...links,
   ];
