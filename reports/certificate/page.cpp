@@ -282,7 +282,8 @@ class CertificatePage {
         {"precision", "planted", "noticed", "not noticed", "without effect"},
         {}};
     for (const auto& [precision, score] : predicate_.harness.score) {
-      table.rows.push_back({precision, thousands(score.mutants), thousands(score.noticed), thousands(score.survived),
+      const auto told = [&](std::uint64_t n) { return score.noticed + score.survived == 0 ? "-" : thousands(n); };
+      table.rows.push_back({precision, thousands(score.mutants), told(score.noticed), told(score.survived),
                             thousands(score.equivalent)});
     }
     return table;

@@ -24,7 +24,7 @@ const std::string* equivalence_of(const MutantResult& r) {
 // Counts of mutants; those not equivalent to their base are counted as caught, caught soon, or caught by formulae
 // alone; not judged where no query was valid.
 struct Score {
-  bool is_judged = true;
+  bool is_judged = true, is_judged_by_formulae = true;
   std::uint64_t mutants = 0, equivalent = 0, caught = 0, soon = 0, by_formulae = 0;
   std::vector<std::uint64_t> queries;
 
@@ -60,11 +60,11 @@ struct Score {
             thousands(soon),
             middle ? thousands(*middle) : "-",
             last == queries.end() ? "-" : thousands(*last),
-            thousands(by_formulae)};
+            is_judged_by_formulae ? thousands(by_formulae) : "-"};
   }
   CatchScoreData data() const {
     return {mutants, equivalent, caught,     is_judged ? not_caught() : 0, is_judged ? 0 : not_caught(),
-            soon,    median(),   by_formulae};
+            soon,    median(),   is_judged_by_formulae ? std::optional(by_formulae) : std::nullopt};
   }
 };
 
@@ -121,6 +121,8 @@ class MutationReport {
   Score score(Precision precision, const std::string& fault = "") const {
     Score score;
     score.is_judged = is_judged(precision);
+    score.is_judged_by_formulae = std::ranges::any_of(
+        plan_.families, [](const Family* one) { return shows_formulae(one->name, one->exact_arithmetic); });
     for (const MutantResult& r : result_.mutants) {
       if (r.precision == precision && (fault.empty() || r.mutant->fault == fault)) score.add(r);
     }

@@ -62,20 +62,27 @@ struct CatchData {
 struct CatchScoreData {
   std::uint64_t mutants = 0, equivalent = 0, caught = 0, survived = 0, not_judged = 0, caught_within_10000 = 0;
   std::optional<std::uint64_t> median_queries;
-  std::uint64_t caught_by_formulae_alone = 0;
+  std::optional<std::uint64_t> caught_by_formulae_alone;
+  std::uint64_t judged() const { return caught + survived; }
 
   AXISCERT_FIELDS(CatchScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
                   AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
-                  AXISCERT_FIELD(caught, "By a wrong verdict.", "mutants"),
-                  AXISCERT_FIELD(survived, "Neither caught nor argued to be equivalent.", "mutants"),
-                  AXISCERT_FIELD(not_judged, "Mutants that were asked no valid query: none of these survived.",
-                                 "mutants"),
-                  AXISCERT_FIELD(caught_within_10000, "By so many queries, of all families together.", "mutants"),
+                  AXISCERT_FIELD(judged, "The others that were asked a valid query.", "mutants"),
+                  field(&Of::caught, figure_of("judged", "caught", "By a wrong verdict.", "mutants")),
+                  field(&Of::survived,
+                        figure_of("judged", "survived", "Neither caught nor argued to be equivalent.", "mutants")),
+                  AXISCERT_FIELD(not_judged, "The others that were asked no valid query.", "mutants"),
+                  field(&Of::caught_within_10000,
+                        figure_of("judged", "caught_within_10000", "By so many queries, of all families together.",
+                                  "mutants")),
                   AXISCERT_FIELD(median_queries,
                                  "The number of queries by which half of the mutants that are not equivalent are "
                                  "caught; null: they never are."),
-                  AXISCERT_FIELD(caught_by_formulae_alone, "Where they claim the formulae and not their bits.",
-                                 "mutants"))
+                  field(&Of::caught_by_formulae_alone,
+                        figure_of("judged", "caught_by_formulae_alone",
+                                  "Where they claim the formulae and not their bits; null without a family of exact "
+                                  "arithmetic.",
+                                  "mutants")))
 };
 
 struct CaughtMutantData {
@@ -137,14 +144,15 @@ struct FailureData {
 
 struct GateScoreData {
   std::uint64_t mutants = 0, equivalent = 0, refused = 0, not_judged = 0;
-  std::uint64_t survived() const { return mutants - equivalent - refused - not_judged; }
+  std::uint64_t judged() const { return mutants - equivalent - not_judged; }
+  std::uint64_t survived() const { return judged() - refused; }
 
   AXISCERT_FIELDS(GateScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
                   AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
-                  AXISCERT_FIELD(refused, "By the gate.", "mutants"),
-                  AXISCERT_FIELD(survived, "Neither refused nor equivalent.", "mutants"),
-                  AXISCERT_FIELD(not_judged, "Mutants that were asked no valid query: none of these survived.",
-                                 "mutants"))
+                  AXISCERT_FIELD(judged, "The others that were asked a valid query.", "mutants"),
+                  field(&Of::refused, figure_of("judged", "refused", "By the gate.", "mutants")),
+                  field(&Of::survived, figure_of("judged", "survived", "Not refused.", "mutants")),
+                  AXISCERT_FIELD(not_judged, "The others that were asked no valid query.", "mutants"))
 };
 
 struct DeepestWrongData {

@@ -135,7 +135,9 @@ class Mutate(MutateCase):
             schema = schema_of(said)
             jsonschema.validators.validator_for(schema)(schema).validate(found)
             score = found["score"]["binary32"]
-            self.assertEqual((score["survived"], score["not_judged"]), (0, score["mutants"] - score["equivalent"]))
+            self.assertEqual((score["judged"], score["not_judged"]), (0, score["mutants"] - score["equivalent"]))
+            for figure in ("survived",) + (("refused",) if words else ("caught", "caught_within_10000", "caught_by_formulae_alone")):
+                self.assertIsNone(score[figure], figure)
             self.assertGreater(score["not_judged"], 0)
             if not words:
                 self.assertEqual({(c["queries"], c["flagged"]) for c in found["controls"]}, {(0, None)})
