@@ -199,6 +199,8 @@ void count_given(ContactTally& tally, std::uint64_t position, const Predicate& p
     GivenTally& given = part->given;
     ++(says_contact ? given.contacts : given.separations);
     (says_contact ? given.which_contacts : given.which_separations).add(position);
+    if (kind == MeasureKind::separation)
+      ++(says_contact ? tally.consistency->contacts : tally.consistency->separations);
   });
 }
 

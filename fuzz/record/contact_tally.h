@@ -143,15 +143,17 @@ struct TimeTally {
 
 // The numbers of an answer against each other.
 struct ConsistencyTally {
-  std::uint64_t judged = 0, positive = 0, negative = 0, missing = 0;
+  std::uint64_t judged = 0, contacts = 0, separations = 0, positive = 0, negative = 0, missing = 0;
   EnumArray<Consistency, Leaders<bool>> first;  // of each kind
 
   static constexpr std::string_view about = "Answers whose numbers contradict each other, or their verdict.";
   static constexpr auto fields(auto&& visit) {
     using Of = ConsistencyTally;
     return visit(field(&Of::judged, {"judged", "Answers with a number."}),
-                 field(&Of::positive, figure_of("judged", "positive", "Contacts with a separation above 0.")),
-                 field(&Of::negative, figure_of("judged", "negative", "Separated, with a separation below 0.")),
+                 field(&Of::contacts, {"contacts", "Those that say contact, with a separation that is a number."}),
+                 field(&Of::separations, {"separations", "The same of those that say separated."}),
+                 field(&Of::positive, figure_of("contacts", "positive", "Contacts with a separation above 0.")),
+                 field(&Of::negative, figure_of("separations", "negative", "Separated, with a separation below 0.")),
                  field(&Of::missing,
                        figure_of("judged", "missing", "Answers with some numbers, and without another that there is.")),
                  journalled(&Of::first));

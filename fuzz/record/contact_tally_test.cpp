@@ -112,9 +112,11 @@ TEST(VerdictTally, AKindOfVerdictThatWasNotDecidedIsNullInJson) {
   Json found = count_said(contact, Verdict::undecided);
   EXPECT_TRUE(are_null(found, "false_separation") && are_null(found, "false_contact") && found["deepest"].is_null());
   EXPECT_EQ(refused<VerdictTally>(found), "");
+  EXPECT_TRUE(found["links"].is_null() && found["masked_links"].is_null());
   found["deepest"] = 0.5;
   EXPECT_NE(refused<VerdictTally>(found), "");
   found = count_said(separated, Verdict::separated);
+  EXPECT_EQ(found["links"]["unattributed"], 0);
   EXPECT_TRUE(are_null(found, "false_separation")) << "no contact was decided";
   EXPECT_EQ(found["false_contact"], 0);
   EXPECT_EQ(found["deepest"], 0.0);
@@ -122,9 +124,45 @@ TEST(VerdictTally, AKindOfVerdictThatWasNotDecidedIsNullInJson) {
   found = count_said(contact, Verdict::separated);
   EXPECT_EQ(found["false_separation"], 1);
   EXPECT_EQ(found["decided"], 2);
+  EXPECT_TRUE(found["touching_flips"].is_null() && found["touching_links"].is_null());
+  const Truth touching{Verdict::contact, true};
+  EXPECT_TRUE(count_said(touching, Verdict::undecided)["touching_flips"].is_null()) << "it was declined";
+  EXPECT_EQ(count_said(touching, Verdict::contact)["touching_flips"], 0);
   put_unseen(found = json_of(VerdictTally()), VerdictTally());
   EXPECT_EQ(found["false_separation"], 0) << "zeros add up";
   EXPECT_EQ(found["deepest"], 0.0);
+}
+
+// Each kind by its own count, and signs by those that were compared.
+TEST(VerdictTally, AKernelThatDecidesOneKindHasNoFigureOfTheOther) {
+  OutsideTally outside;
+  ClearTally clear;
+  EngineTally engine;
+  outside.trials = clear.queries = engine.queries = 3;
+  outside.decided_separations = clear.decided_separations = engine.decided_separations = 1;
+  for (const Json& json : {json_of(outside), json_of(clear), json_of(engine)}) {
+    EXPECT_TRUE(json["false_separation"].is_null()) << json;
+    EXPECT_EQ(json["false_contact"], 0) << json;
+  }
+  EXPECT_EQ(json_of(clear)["unanswered"], 2);
+  ConsistencyTally numbers;
+  numbers.judged = numbers.separations = 1;
+  EXPECT_TRUE(json_of(numbers)["positive"].is_null());
+  EXPECT_EQ(json_of(numbers)["negative"], 0);
+
+  const Predicate& predicate = find_predicate("sphere-triangle");
+  Tally tally = empty_tally(predicate);
+  const auto signs = [&](Verdict said) {
+    const Truth truth{Verdict::contact, false};
+    const Answer answer{said, ComparisonBits{0}};
+    const Reference reference{{Verdict::contact, ComparisonBits{0}}, std::nullopt, 0};
+    count_numbers(tally, truth, 0, answer, judge(predicate, truth, reference, answer), 1);
+    return json_of(tally.comparisons[0]);
+  };
+  const Json none = signs(Verdict::undecided);
+  for (const char* figure : {"false_separation", "missed_separation", "masked", "decisive", "links"})
+    EXPECT_TRUE(none[figure].is_null()) << figure;
+  EXPECT_EQ(signs(Verdict::contact)["missed_separation"], 0);
 }
 
 TEST(ContactTally, AnErrorIsToldInUlpsWhileTheseAreFew) {

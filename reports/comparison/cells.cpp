@@ -109,9 +109,8 @@ class Collector {
       add_maximum("time", "earliest_u", time->early_errors.largest_in_u);
     }
     if (const auto& consistency = contacts.consistency) {
-      const std::uint64_t judged = contacts.separation ? contacts.separation->judged : 0;
-      over(judged).add_count("consistency", "positive", consistency->positive);
-      add_count("consistency", "negative", consistency->negative);
+      over(consistency->contacts).add_count("consistency", "positive", consistency->positive);
+      over(consistency->separations).add_count("consistency", "negative", consistency->negative);
       over(contacts.answers).add_count("consistency", "missing", consistency->missing);
     }
     if (const auto& separation = contacts.separation) {

@@ -267,6 +267,12 @@ class RecordCheck {
     require(!kernel.measures || kernel.measures->empty() ||
                 (family.contacts && (!family.contacts->missed || family.contacts->time)),
             where, "without what the kernel says beside its verdicts, though it gives measures");
+    if (family.contacts && family.contacts->consistency) {
+      const ConsistencyTally& numbers = *family.contacts->consistency;
+      require(numbers.positive <= numbers.contacts && numbers.negative <= numbers.separations &&
+                  numbers.missing <= numbers.judged,
+              where, "more answers that contradict themselves than answers with a number");
+    }
     const std::uint64_t promised = truth.contact + truth.separated -
                                    family.verdict.outside_limits.value_or(OutsideTally()).trials;
     const auto check_signs = [&](const auto& signs) {
