@@ -99,7 +99,6 @@ Provenance parse_provenance(const std::string& text, const std::string& about);
 // The folder share/axiscert/corpus beside an installed command, otherwise that of the source tree.
 std::string default_corpus_folder();
 
-inline constexpr std::string_view corpus_name = "corpus";
 // The corpus's queries of one entry of a predicate as a source of that name. Its address is "corpus-SHA256", the hash
 // of the queries' lines, one file after the other. Throws Error where it has none.
 SourcePtr corpus_source(const std::string& folder, const Predicate& predicate, std::size_t entry = 0);

@@ -85,10 +85,10 @@ class QueryFileSource final : public Source {
     file_.queries = binary32_.size() + binary64_.size();
   }
 
-  std::string name() const override { return kind_ == "corpus" ? kind_ : kind_ + "/" + file_.name; }
+  std::string name() const override { return query_list_name(file_.name, kind_ == corpus_name); }
   std::string address_name() const override { return kind_ + "-" + addressed_; }
   std::string purpose() const override {
-    return kind_ == "corpus" ? "queries that were hard once: public reports, degenerate classics, witnesses"
+    return kind_ == corpus_name ? "queries that were hard once: public reports, degenerate classics, witnesses"
                              : "the queries of a file, as they stand";
   }
   int version() const override { return 1; }

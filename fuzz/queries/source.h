@@ -26,6 +26,14 @@ struct FileInfo {
   std::string kernel = {};  // for kind "plugin": the id of the kernel that it is
 };
 
+// The names of sources that are lists of queries: "queries/FILE", and that of the corpus, of which there is only one.
+inline constexpr std::string_view corpus_name = "corpus", query_file_prefix = "queries/";
+inline std::string query_list_name(const std::string& file, bool is_corpus) {
+  return std::string(is_corpus ? corpus_name : query_file_prefix) + (is_corpus ? "" : file);
+}
+inline bool is_query_file(std::string_view source) { return source.starts_with(query_file_prefix); }
+inline bool is_query_list(std::string_view source) { return source == corpus_name || is_query_file(source); }
+
 // Random access without state: any thread may ask for any position at any time.
 class Source {
  public:

@@ -9,6 +9,7 @@
 #include "fuzz/certify/effort.h"
 #include "fuzz/certify/safe_margin.h"
 #include "fuzz/fields/json_form.h"
+#include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
@@ -346,7 +347,7 @@ void require_effort(const CertificatePredicate& predicate, const std::string& na
   const Json& plan = predicate.materials.plan.plan.json;
   const Predicate& question = find_predicate(plan["predicate"].get<std::string>());
   for (const auto& [family, by_precision] : plan["trials"].items()) {
-    if (family == "corpus" || family.starts_with("queries/")) continue;  // as they are
+    if (is_query_list(family)) continue;  // as they are
     const std::uint64_t asks = trials_of(parse_effort(effort), question, family, kind != KernelKind::built_in);
     for (const auto& [precision, trials] : by_precision.items()) {
       if (trials == asks) continue;

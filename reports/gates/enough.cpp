@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fuzz/queries/source.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -52,7 +53,7 @@ std::string gap_of(const Record& record, const Subject& subject, const AskedLeve
     std::uint64_t queries = 0;
     for (const auto& [each, count] : by_precision) queries += count;
     const auto here = by_precision.find(precision);
-    const bool is_reached = is_file(family) || here == by_precision.end() || here->second != 0;
+    const bool is_reached = is_query_list(family) || here == by_precision.end() || here->second != 0;
     if (queries == 0 || !is_reached) empty.push_back(family);
   }
   return empty.empty() ? "" : fmt::format("no query was run of {}", fmt::join(empty, ", "));
@@ -74,7 +75,8 @@ std::string weigh(const Subject& subject, const LevelFindings& found, double sha
       outcome.outside.push_back(family);
       continue;
     }
-    const bool is_sample_too_small = !is_file(family) && evidence.population < least_looked_at;
+    // A list has the queries that it has; any other family is asked as many as the plan says.
+    const bool is_sample_too_small = !is_query_list(family) && evidence.population < least_looked_at;
     if (is_sample_too_small || look.looked_at < std::min(least_looked_at, look.concerned)) {
       few.add(fmt::format("{} of {} {} of {} looked at, and {} are needed, to show that fewer than 5 % {}",
                           thousands(look.looked_at), thousands(look.concerned),
@@ -144,7 +146,7 @@ std::vector<UntakenLines> lines_left_out(const Record& record) {
   std::vector<UntakenLines> lines;
   for (const FileRecord& file : record.plan.files) {
     if (!file.left_out) continue;
-    const std::string name = file.name, family = name == "corpus" ? name : "queries/" + name;
+    const std::string family = query_list_name(file.name, file.name == corpus_name);
     for (const auto& [precision, count] : *file.left_out)
       lines.push_back({family, precision, count, file.queries.value_or(count), "the run was not to ask them"});
   }
@@ -154,7 +156,7 @@ std::vector<UntakenLines> lines_left_out(const Record& record) {
 std::vector<UntakenLines> lines_it_cannot_take(const Record& record, const std::string& id) {
   std::vector<UntakenLines> lines;
   for (const auto& [family, by_precision] : record.plan.trials) {
-    if (!family.starts_with("queries/")) continue;  // a preset brings the corpus
+    if (!is_query_file(family)) continue;  // a preset brings the corpus
     std::uint64_t all = 0;
     for (const auto& [precision, count] : by_precision) all += count;
     for (const auto& [precision, count] : by_precision) {

@@ -174,9 +174,6 @@ struct GateLevel {
   std::string_view name() const;
 };
 
-// A file has the queries that it has; any other family is asked as many as the plan says.
-inline bool is_file(const std::string& family) { return family.starts_with("queries/") || family == "corpus"; }
-
 // Adds one more thing that "met" leaves out.
 inline void leave_out(std::string& leaves_out, const std::string& what) {
   leaves_out += (leaves_out.empty() ? "" : "; ") + what;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "fuzz/queries/source.h"
 #include "reports/gates/level.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/summary.h"
@@ -23,7 +24,7 @@ LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
       continue;
     }
     within += look->answered;
-    if (!is_file(family)) generated += look->answered;
+    if (!is_query_list(family)) generated += look->answered;
     families.push_back(family);
     found.families[family] = {look->answered, look->answered};
     subject.add(found.failures, family, look->answered - look->contacts,

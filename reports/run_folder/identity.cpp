@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fuzz/fields/json_form.h"
+#include "fuzz/queries/source.h"
 #include "kernel/base/sha256.h"
 #include "reports/run_folder/run_folder.h"
 
@@ -98,7 +99,8 @@ Json queries_of(const PlanRecord& plan, const std::string& family, Precision pre
   bool is_list = false;
   for (const FileRecord& file : plan.files) {
     const bool is_queries = file.kind == "queries";
-    if (family != file.kind + "/" + file.name && !(family == "corpus" && file.name == family && is_queries)) continue;
+    const bool is_corpus = family == corpus_name && file.name == family && is_queries;
+    if (family != file.kind + "/" + file.name && !is_corpus) continue;
     queries["sha256"] = json_of(file.sha256);
     is_list |= is_queries;
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "fuzz/queries/family.h"
+#include "fuzz/queries/source.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
@@ -129,7 +129,7 @@ std::string window_text(const WindowRecord& window) {
 }  // namespace
 
 FamilyGroup family_group(std::string_view name) {
-  if (name.starts_with("mesh/") || name.starts_with("queries/")) return FamilyGroup::own;
+  if (name.starts_with("mesh/") || is_query_file(name)) return FamilyGroup::own;
   for (const Family* family : families()) {
     if (family->name != name) continue;
     if (family->trust_group == TrustGroup::scene) return FamilyGroup::everyday;

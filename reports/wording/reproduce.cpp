@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "kernel/predicate.h"
 #include "reports/wording/depths.h"
@@ -40,7 +41,7 @@ std::string quoted(const std::string& text) {
 // The option that brings in a family, by its name: a mesh is "mesh/FILE", a query file "queries/FILE", the corpus
 // "corpus".
 std::string source_option(const std::string& family) {
-  if (family == "corpus") return " --corpus";
+  if (family == corpus_name) return " --corpus";
   for (const std::string kind : {"mesh", "queries"}) {
     if (family.starts_with(kind + "/"))
       return fmt::format(" --{} {}", kind, shell_word(family.substr(kind.size() + 1)));
@@ -48,13 +49,13 @@ std::string source_option(const std::string& family) {
   return " --family " + shell_word(family);
 }
 
-bool is_of_a_file(const std::string& family) { return family.starts_with("mesh/") || family.starts_with("queries/"); }
+bool is_of_a_file(const std::string& family) { return family.starts_with("mesh/") || is_query_file(family); }
 
 // The common number of queries of all generated families, if there is one: the value of --trials.
 std::optional<std::uint64_t> common_trials(const PlanRecord& plan) {
   std::set<std::uint64_t> counts;
   for (const auto& [family, by_precision] : plan.trials) {
-    if (family.starts_with("queries/") || family == "corpus") continue;
+    if (is_query_list(family)) continue;
     for (const auto& [precision, count] : by_precision) counts.insert(count);
   }
   return counts.size() == 1 ? std::optional(*counts.begin()) : std::nullopt;
