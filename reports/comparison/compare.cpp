@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "fuzz/queries/source.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "reports/comparison/pairing.h"
@@ -90,6 +91,21 @@ class Comparer {
     };
     note_missing(then, now, "is only in OLD", Absence::fails);
     note_missing(now, then, "is only in NEW", Absence::only_new);
+    for (const FileRecord& file : after_.plan.files) {
+      const auto old = std::ranges::find_if(before_.plan.files, [&](const FileRecord& other) {
+        return other.kind == file.kind && other.name == file.name;
+      });
+      if (old == before_.plan.files.end() || !old->left_out || !file.left_out) continue;
+      const std::string family = query_list_name(file.name, file.name == corpus_name);
+      for (const auto& [precision, count] : *file.left_out) {
+        if (!old->left_out->contains(precision)) continue;
+        note({fmt::format("{} in {}", family, name(precision)),
+              fmt::format("neither run was to ask its {} queries", thousands(count)),
+              {},
+              family,
+              Absence::empty});
+      }
+    }
   }
 
   void note_kernels() {

@@ -64,6 +64,20 @@ TEST(NotCompared, ANameThatNamesNothingIsRefusedWithWhatThereIs) {
   refused(before, "lattice", HasSubstr("everything was compared"));
 }
 
+TEST(NotCompared, LinesThatNeitherRunWasToAskAreSaid) {
+  Json record = stored_record();
+  record["plan"]["files"].push_back({{"name", "seven.jsonl"},
+                                     {"kind", "queries"},
+                                     {"sha256", nullptr},
+                                     {"queries", 7},
+                                     {"left_out", {{"binary64", 6}}}});
+  const RunComparison found = compare_records(record, record);
+  EXPECT_TRUE(found.passes());
+  EXPECT_THAT(markdown_of(record, record, found),
+              HasSubstr("| queries/seven.jsonl in binary64 | neither run was to ask its 6 queries | no fault |"));
+  EXPECT_FALSE(compare_records(stored_record(), record).has(Absence::empty)) << "OLD may have asked them";
+}
+
 TEST(NotCompared, AnInterruptedRunIsNoPassWhicheverItIs) {
   Json cut = stored_record();
   cut["complete"] = false;

@@ -196,18 +196,20 @@ std::string LevelOutcome::claim() const {
 std::string LevelOutcome::looked_text() const {
   if (families == 0) return "";
   const char* const others = level_of(asked).looks_at;
-  if (others != nullptr)
-    return fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others);
   const auto part_of = level_of(asked).part;
   const char* const part = part_of == nullptr ? nullptr : part_of(asked);
-  return part == nullptr ? evidence_text(evidence, looked_at) : evidence_text(evidence, looked_at, concerned, part);
+  std::string text =
+      others != nullptr ? fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others)
+      : part == nullptr ? evidence_text(evidence, looked_at)
+                        : evidence_text(evidence, looked_at, concerned, part);
+  if (lines_left_out != 0) text += fmt::format(", {} lines of files left out", thousands(lines_left_out));
+  return text;
 }
 
 std::string LevelOutcome::text() const {
   const std::string who = precision.empty() ? kernel : fmt::format("{} {}", kernel, precision);
   std::string text = fmt::format("{}: {}", who, claim());
   if (const std::string looked = looked_text(); !looked.empty()) text += (has_limits ? "; " : ": ") + looked;
-  if (lines_left_out != 0) text += fmt::format(", {} lines of files left out", thousands(lines_left_out));
   text += fmt::format(": {}{}", name(state), is_allowed ? ", which is allowed" : "");
   return reason.empty() ? text : text + ": " + reason;
 }
