@@ -66,10 +66,10 @@ class Collector {
     over(separations).add_maximum("verdict", "deepest_false_contact", verdict.deepest_false_contact);
     if (result.contacts) over(contacts).add_contacts(*result.contacts);
     if (!result.comparisons) return;
-    over(evidence.decided());
     for (const auto& [comparison, tally] : *result.comparisons) {
-      add_count(comparison, "false_separation", tally.false_separation);
+      over(tally.judged).add_count(comparison, "false_separation", tally.false_separation);
       add_count(comparison, "missed_separation", tally.missed_separation);
+      over(evidence.decided());
       if (tally.tolerance_failures) add_count(comparison, "tolerance_failures", *tally.tolerance_failures);
       if (tally.range_events) add_count(comparison, "range_events", *tally.range_events);
       if (tally.max_error) add_maximum(comparison, "max_error_u", *tally.max_error);

@@ -175,6 +175,17 @@ TEST(PluginReports, WithoutADecidedContactNothingIsSaidOfMissedOnes) {
   EXPECT_THAT(shown["sentences"][0].get<std::string>(), testing::ContainsRegex("; 0 of [0-9]+ contacts decided$"));
 }
 
+TEST(PluginReports, WithoutAVerdictNothingIsSaidOfLinksAndImages) {
+  Kernel kernel =
+      black_box("plugin:mine.so", [](const Query<double>&, auto, Verdict& verdict, auto&) { verdict = Verdict::undecided; });
+  kernel.may_decline = true;
+  const TestFolder folder(json_of(record_with({&kernel}, {"orders"}, 512)));
+  render_reports(folder.path());
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("No query was decided: no link could break."));
+  EXPECT_THAT(folder.read("report.md"), HasSubstr("| orders | - | 0 | - | - |"));
+  EXPECT_THAT(folder.read("report.md"), testing::ContainsRegex("none of [0-9,]+ engine-like queries decided"));
+}
+
 // Right formulae in another order, or fused: what they round is not a fault of logic. A slip in them is one, and so is
 // a wrong answer where nothing rounds.
 TEST(PluginRequirement, LogicOfFormulaeInAnOrderOfTheirOwn) {

@@ -60,6 +60,11 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
       found.not_checked = fmt::format("{} was not run on {} in {}", other, cell.family, precision);
       return found;
     }
+    if (theirs->looked_at == 0 && cell.looked_at != 0) {
+      found.not_checked = fmt::format("{} decided none of the {} of {}: nothing is worse than that", other,
+                                      cell.member == "false_separation" ? "contacts" : "separations", cell.family);
+      return found;
+    }
     const auto [x, y] = independent(cell, *theirs);
     pairs.push_back({cell, *theirs, fisher_two_sided(x, y)});
     p.push_back(pairs.back().p);

@@ -357,6 +357,17 @@ TEST(NoWorseThan, WithoutTheOtherKernelOnAFamilyIsNotChecked) {
   EXPECT_EQ(outcomes_of(record)[0].state, LevelState::not_checked);
 }
 
+TEST(NoWorseThan, AYardstickThatDecidesNothingIsNone) {
+  Json record = with_yardstick(40);
+  Json& verdict = record["kernels"][1]["families"]["lattice"]["verdict"];
+  verdict["undecided"] = verdict["undecided_contact"] = 300;
+  verdict["undecided_touching"] = 60;
+  verdict["decided_contacts"] = verdict["decided_touching"] = 0;
+  const LevelOutcome found = outcomes_of(record)[0];
+  EXPECT_EQ(found.state, LevelState::not_checked);
+  EXPECT_THAT(found.reason, HasSubstr("yardstick decided none of the contacts of lattice"));
+}
+
 TEST(NoWorseThan, InAPatternJudgesItsFamiliesAlone) {
   Json record = with_yardstick(120);
   const auto at = [&](const char* level) {

@@ -76,7 +76,7 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
     text += fmt::format("; {} separation{} of the wrong sign", thousands(result.contradictions),
                         result.contradictions == 1 ? "" : "s");
   if (result.flips != 0) text += fmt::format("; {} flip{}", thousands(result.flips), result.flips == 1 ? "" : "s");
-  else if (result.pushes != 0) text += "; no flip";
+  else if (result.sided != 0) text += "; no flip";
   if (result.without_push != 0)
     text += fmt::format("; no normal beside {} overlaps", of_text(result.without_push, result.pushes));
   const double degrees = result.largest_normal_angle * 180 / std::numbers::pi;
@@ -178,6 +178,7 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
     if (const auto& pushed = result.contacts->pushed) {
       out.pushes += pushed->judged;
       out.without_push += pushed->none;
+      out.sided += pushed->with_a_side();
       out.flips += pushed->flips;
     }
     if (!result.contacts->time) continue;

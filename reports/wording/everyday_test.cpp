@@ -142,6 +142,9 @@ TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
   numbers.pushed->none = 0;
   numbers.separation->judged = numbers.pushed->judged = 1000;
   EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most; no flip");
+  numbers.pushed->nowhere = 1000;
+  EXPECT_EQ(said(), "1,000 everyday scenes: no wrong verdict; separations off by 0 m at most") << "none has a side";
+  numbers.pushed->nowhere = 0;
   numbers.separation->largest_length.offer({0.0032, 0});
   numbers.separation->largest_error.offer({0.01, 0});
   numbers.consistency->positive = 2;

@@ -25,7 +25,11 @@ const worst_headings = {everyday: 'The worst everyday scene', own: 'The worst of
 
 function worst_box(data) {
   const {worst} = data.first;
-  if (worst === null) return el('div', '', el('h3', '', 'The worst'), el('p', 'empty', 'No verdict was wrong: there is nothing to draw.'));
+  if (worst === null) {
+    const decided = data.kernels.some((entry) => entry.decided > 0);
+    return el('div', '', el('h3', '', 'The worst'),
+              el('p', 'empty', `${decided ? 'No verdict was wrong' : 'Nothing was decided'}: there is nothing to draw.`));
+  }
   const witness = data.witnesses.cards.find(({id}) => id === worst.id);
   const words = el('p', '', el('span', 'name', worst.kernel), ` ${worst.precision} ${worst.words}. Family `, el('span', 'name', worst.family),
                    ', witness ', witness_link(data, worst.id), '.');
