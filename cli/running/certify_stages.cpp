@@ -184,7 +184,9 @@ HarnessStatement score_harness(const StagedCertificate& staged, std::string_view
   said.exist = exist;
   said.queries = plan.trials;
   for (const auto& [precision, of] : score.items()) {
-    const auto count = [&](const char* member) { return of[member].is_null() ? 0 : of[member].template get<std::uint64_t>(); };
+    const auto count = [&](const char* member) {
+      return of[member].is_null() ? 0 : of[member].template get<std::uint64_t>();
+    };
     said.score.put(precision) = {count("mutants"), count(noticed), count("survived"), count("equivalent")};
   }
   return said;

@@ -58,7 +58,7 @@ std::string kernels_table(const std::vector<KernelRecord>& kernels) {
       phantom += verdict.false_contact;
       undecided += verdict.undecided;
       if (const auto& apart = verdict.outside_limits) {
-        outside_decided += apart->decided;
+        outside_decided += apart->decided();
         outside_wrong += apart->false_separation + apart->false_contact;
       }
       deepest_missed = std::max(deepest_missed, verdict.deepest_false_separation.best());

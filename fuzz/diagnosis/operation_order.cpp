@@ -94,12 +94,9 @@ class OrderProbe {
       pairs[std::string(how.name)] = by_pair[k];
       planes[std::string(how.name)] = in_plane[k];
     }
-    return concluded({by_signs, by_pair, in_plane}, general_witness, flat_witness,
-                     {{"answered", answered_},
-                      {"asked", asked_},
-                      {"by_signs", by_signs},
-                      {"by_pair", pairs},
-                      {"in_plane", planes}});
+    return concluded(
+        {by_signs, by_pair, in_plane}, general_witness, flat_witness,
+        {{"answered", answered_}, {"asked", asked_}, {"by_signs", by_signs}, {"by_pair", pairs}, {"in_plane", planes}});
   }
 
  private:
@@ -113,9 +110,9 @@ class OrderProbe {
     const auto is_none = [](std::size_t n) { return n == 0; };
     if (answered_ == 0) return undecided("It decides nothing near touching.", measured);
     if (10 * answered_ < 9 * asked_) {
-      return undecided(fmt::format("It decides {} of {} pairs near touching: those that it declines may change.",
-                                   answered_, asked_),
-                       measured);
+      return undecided(
+          fmt::format("It decides {} of {} pairs near touching: those that it declines may change.", answered_, asked_),
+          measured);
     }
     if (!says_contact_ || !says_separated_) {
       return undecided(fmt::format("Near touching it says nothing but {}: no answer could change.",

@@ -63,8 +63,8 @@ class SubnormalProbe {
     }
     const auto decides = static_cast<std::size_t>(std::ranges::count_if(said_, is_decided));
     if (decides != said_.size()) {
-      return undecided(fmt::format("It decides {} of {} small scenes: what it declines does not tell.", decides,
-                                   said_.size()));
+      return undecided(
+          fmt::format("It decides {} of {} small scenes: what it declines does not tell.", decides, said_.size()));
     }
     return undecided(
         "Small scenes do not tell: it answers neither as a built-in form nor as one with subnormal numbers "

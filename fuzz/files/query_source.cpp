@@ -89,7 +89,7 @@ class QueryFileSource final : public Source {
   std::string address_name() const override { return kind_ + "-" + addressed_; }
   std::string purpose() const override {
     return kind_ == corpus_name ? "queries that were hard once: public reports, degenerate classics, witnesses"
-                             : "the queries of a file, as they stand";
+                                : "the queries of a file, as they stand";
   }
   int version() const override { return 1; }
   std::optional<std::uint64_t> fixed_size(Precision precision) const override {

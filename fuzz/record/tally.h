@@ -42,8 +42,7 @@ struct ClearTally {
   AXISCERT_FIELDS(ClearTally, AXISCERT_FIELD(queries, "Clear queries within the limits."),
                   AXISCERT_FIELD(decided_contacts, "Contacts among them that the kernel decided."),
                   AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
-                  AXISCERT_FIELD(decided, "Both together."),
-                  AXISCERT_FIELD(undecided, "Those that it declined."),
+                  AXISCERT_FIELD(decided, "Both together."), AXISCERT_FIELD(undecided, "Those that it declined."),
                   AXISCERT_FIELD(unanswered, "The rest: it called them invalid, or gave no answer."),
                   field(&Of::false_separation,
                         figure_of("decided_contacts", "false_separation", "Missed contacts among them.")),
@@ -97,8 +96,7 @@ struct SignTally {
   std::optional<Decimal6> smallest_passing_tolerance() const { return max_error; }
 
   AXISCERT_FIELDS(
-      SignTally,
-      AXISCERT_FIELD(judged, "Queries whose sign was compared: those with a verdict and comparisons."),
+      SignTally, AXISCERT_FIELD(judged, "Queries whose sign was compared: those with a verdict and comparisons."),
       field(&Of::false_separation, figure_of("judged", "false_separation",
                                              "Queries that the kernel separates here, and its exact formulae do not.")),
       field(&Of::missed_separation,
@@ -166,22 +164,20 @@ struct OutsideTally {
   static constexpr std::string_view about =
       "Results where the kernel promises nothing. No other count of its verdicts, axes, comparisons or critical radii "
       "includes these queries, and no requirement covers them.";
-  AXISCERT_FIELDS(OutsideTally, AXISCERT_FIELD(trials, "Valid queries outside the limits."),
-                  AXISCERT_FIELD(decided_contacts, "Contacts among them that it decided, as within the limits."),
-                  AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
-                  AXISCERT_FIELD(decided, "Both together."),
-                  field(&Of::false_separation,
-                        figure_of("decided_contacts", "false_separation", "Missed contacts among them.")),
-                  field(&Of::false_contact,
-                        figure_of("decided_separations", "false_contact", "Phantom contacts among them.")),
-                  AXISCERT_FIELD(unanswered, "Queries among them without an answer."),
-                  AXISCERT_FIELD(contact, "Those of trials whose truth is contact."),
-                  AXISCERT_FIELD(touching, "Those of contact that touch."),
-                  field(&Of::deepest,
-                        figure_of("decided", "deepest",
-                                  "Largest depth of a wrong verdict among them; 0 where there is none.",
-                                  "of the scene"),
-                        by::greatest))
+  AXISCERT_FIELDS(
+      OutsideTally, AXISCERT_FIELD(trials, "Valid queries outside the limits."),
+      AXISCERT_FIELD(decided_contacts, "Contacts among them that it decided, as within the limits."),
+      AXISCERT_FIELD(decided_separations, "Separations among them that it decided."),
+      AXISCERT_FIELD(decided, "Both together."),
+      field(&Of::false_separation, figure_of("decided_contacts", "false_separation", "Missed contacts among them.")),
+      field(&Of::false_contact, figure_of("decided_separations", "false_contact", "Phantom contacts among them.")),
+      AXISCERT_FIELD(unanswered, "Queries among them without an answer."),
+      AXISCERT_FIELD(contact, "Those of trials whose truth is contact."),
+      AXISCERT_FIELD(touching, "Those of contact that touch."),
+      field(&Of::deepest,
+            figure_of("decided", "deepest", "Largest depth of a wrong verdict among them; 0 where there is none.",
+                      "of the scene"),
+            by::greatest))
 };
 
 // The first query of a family with some property, by its position.
@@ -269,11 +265,12 @@ struct VerdictTally {
                       "length")),
       field(&Of::farthest_false_contact,
             figure_of("decided_separations", "farthest_false_contact", "The same over phantom contacts.", "length")),
-      field(&Of::links,
-            figure_of("decided", "links",
-                      "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
-                      "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "
-                      "up to the wrong verdicts.")),
+      field(
+          &Of::links,
+          figure_of("decided", "links",
+                    "Wrong verdicts with each link of the chain broken: geometric truth G, exact formula E, unbounded "
+                    "exponent R-infinity, reference R, kernel K. One verdict may break several, so these do not add "
+                    "up to the wrong verdicts.")),
       field(&Of::masked_links,
             figure_of("decided", "masked_links", "Right verdicts with each link broken: the breaks cancelled.")),
       AXISCERT_FIELD(

@@ -227,10 +227,10 @@ class MarkdownReport {
       if (!apart) return;
       any = true;
       const auto told = [](std::uint64_t decided, std::string shown) { return decided == 0 ? "-" : std::move(shown); };
-      cells.insert(cells.end(), {thousands(apart->trials),
-                                 told(apart->decided_contacts, thousands(apart->false_separation)),
-                                 told(apart->decided_separations, thousands(apart->false_contact)),
-                                 told(apart->decided(), depth(apart->deepest)), thousands(apart->unanswered)});
+      cells.insert(cells.end(),
+                   {thousands(apart->trials), told(apart->decided_contacts, thousands(apart->false_separation)),
+                    told(apart->decided_separations, thousands(apart->false_contact)),
+                    told(apart->decided(), depth(apart->deepest)), thousands(apart->unanswered)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -252,9 +252,10 @@ class MarkdownReport {
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
       const char* const none = found.images == 0 ? "-" : "none";
-      cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : none,
-                                 thousands(found.images), found.images == 0 ? "-" : thousands(found.verdicts),
-                                 found.compared_comparisons == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
+      cells.insert(cells.end(),
+                   {found.first_verdict ? markdown_text(found.first_verdict->image) : none, thousands(found.images),
+                    found.images == 0 ? "-" : thousands(found.verdicts),
+                    found.compared_comparisons == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
       section.add_row(cells);
     });
     return any ? section.text() : "";
@@ -312,10 +313,10 @@ class MarkdownReport {
                       "declined", "called invalid"},
                      3);
     const auto row = [&](std::vector<std::string> cells, const CriticalRadiusRecord& radius) {
-      cells.insert(cells.end(),
-                   {thousands(radius.sampled), optional_amount(radius.median_ulps),
-                    optional_amount(radius.largest_ulps), radius.sampled == 0 ? "-" : thousands(radius.unbounded),
-                    thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
+      const auto told = [&](std::string shown) { return radius.sampled == 0 ? "-" : std::move(shown); };
+      cells.insert(cells.end(), {thousands(radius.sampled), told(optional_amount(radius.median_ulps)),
+                                 told(optional_amount(radius.largest_ulps)), told(thousands(radius.unbounded)),
+                                 thousands(radius.unanswered), thousands(radius.undecided), thousands(radius.invalid)});
       section.add_row(cells);
     };
     for (const KernelRecord& kernel : record_.kernels) {

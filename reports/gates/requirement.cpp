@@ -198,10 +198,10 @@ std::string LevelOutcome::looked_text() const {
   const char* const others = level_of(asked).looks_at;
   const auto part_of = level_of(asked).part;
   const char* const part = part_of == nullptr ? nullptr : part_of(asked);
-  std::string text =
-      others != nullptr ? fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others)
-      : part == nullptr ? evidence_text(evidence, looked_at)
-                        : evidence_text(evidence, looked_at, concerned, part);
+  std::string text = others != nullptr
+                         ? fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others)
+                     : part == nullptr ? evidence_text(evidence, looked_at)
+                                       : evidence_text(evidence, looked_at, concerned, part);
   if (lines_left_out != 0) text += fmt::format(", {} lines of files left out", thousands(lines_left_out));
   return text;
 }

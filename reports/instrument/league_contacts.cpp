@@ -77,8 +77,11 @@ std::string flip_words(const ContactTally& all) {
   const PushTally* const pushed = given(all.pushed);
   if (!pushed) return not_given;
   const std::string left = error_amount(pushed->largest_left.best());
-  return fmt::format("{} of {}; a push leaves up to {} of the depth",
-                     pushed->flips == 0 ? "none" : thousands(pushed->flips), thousands(pushed->judged), left);
+  const std::uint64_t sided = pushed->with_a_side();
+  const std::string flips = sided == 0           ? "no normal with a side"
+                            : pushed->flips == 0 ? fmt::format("none of {}", thousands(sided))
+                                                 : fmt::format("{} of {}", thousands(pushed->flips), thousands(sided));
+  return fmt::format("{}; a push leaves up to {} of the depth", flips, left);
 }
 
 std::string normal_words(const ContactTally& all, const ContactTally& scenes) {

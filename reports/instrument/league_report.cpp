@@ -321,7 +321,7 @@ class LeagueReport {
     LeagueFamilyData data;
     data.trials = tally.trials;
     data.decided = decided(tally);
-    if (data.decided != 0) data.touching_flips = verdict.touching_flips;
+    if (verdict.decided_touching != 0) data.touching_flips = verdict.touching_flips;
     if (decided_for(FlipKind::false_separation, kernel, tally) != 0) {
       data.false_separation = verdict.false_separation;
       data.deepest_false_separation = verdict.deepest_false_separation.best();

@@ -60,7 +60,7 @@ struct LeagueFamilyData {
       AXISCERT_FIELD(decided, "Valid queries within its limits on which it said contact or separated."),
       AXISCERT_FIELD(false_separation, "Missed contacts; null: no contact was decided."),
       AXISCERT_FIELD(false_contact, "Phantom contacts; null: no separation was decided."),
-      AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch; null: no query was decided."),
+      AXISCERT_FIELD(touching_flips, "Wrong answers to spheres that touch; null: no such query was decided."),
       AXISCERT_FIELD(
           deepest_false_separation,
           "The depth of the deepest missed contact, as a share of the scene; 0: none; null: no contact was decided."),

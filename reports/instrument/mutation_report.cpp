@@ -63,8 +63,14 @@ struct Score {
             is_judged_by_formulae ? thousands(by_formulae) : "-"};
   }
   CatchScoreData data() const {
-    return {mutants, equivalent, caught,     is_judged ? not_caught() : 0, is_judged ? 0 : not_caught(),
-            soon,    median(),   is_judged_by_formulae ? std::optional(by_formulae) : std::nullopt};
+    return {mutants,
+            equivalent,
+            caught,
+            is_judged ? not_caught() : 0,
+            is_judged ? 0 : not_caught(),
+            soon,
+            median(),
+            is_judged_by_formulae ? std::optional(by_formulae) : std::nullopt};
   }
 };
 

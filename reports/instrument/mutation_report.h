@@ -65,24 +65,23 @@ struct CatchScoreData {
   std::optional<std::uint64_t> caught_by_formulae_alone;
   std::uint64_t judged() const { return caught + survived; }
 
-  AXISCERT_FIELDS(CatchScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
-                  AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
-                  AXISCERT_FIELD(judged, "The others that were asked a valid query.", "mutants"),
-                  field(&Of::caught, figure_of("judged", "caught", "By a wrong verdict.", "mutants")),
-                  field(&Of::survived,
-                        figure_of("judged", "survived", "Neither caught nor argued to be equivalent.", "mutants")),
-                  AXISCERT_FIELD(not_judged, "The others that were asked no valid query.", "mutants"),
-                  field(&Of::caught_within_10000,
-                        figure_of("judged", "caught_within_10000", "By so many queries, of all families together.",
-                                  "mutants")),
-                  AXISCERT_FIELD(median_queries,
-                                 "The number of queries by which half of the mutants that are not equivalent are "
-                                 "caught; null: they never are."),
-                  field(&Of::caught_by_formulae_alone,
-                        figure_of("judged", "caught_by_formulae_alone",
-                                  "Where they claim the formulae and not their bits; null without a family of exact "
-                                  "arithmetic.",
-                                  "mutants")))
+  AXISCERT_FIELDS(
+      CatchScoreData, AXISCERT_FIELD(mutants, "All.", "mutants"),
+      AXISCERT_FIELD(equivalent, "Mutants that no query can distinguish from the kernel.", "mutants"),
+      AXISCERT_FIELD(judged, "The others that were asked a valid query.", "mutants"),
+      field(&Of::caught, figure_of("judged", "caught", "By a wrong verdict.", "mutants")),
+      field(&Of::survived, figure_of("judged", "survived", "Neither caught nor argued to be equivalent.", "mutants")),
+      AXISCERT_FIELD(not_judged, "The others that were asked no valid query.", "mutants"),
+      field(&Of::caught_within_10000,
+            figure_of("judged", "caught_within_10000", "By so many queries, of all families together.", "mutants")),
+      AXISCERT_FIELD(median_queries,
+                     "The number of queries by which half of the mutants that are not equivalent are "
+                     "caught; null: they never are."),
+      field(&Of::caught_by_formulae_alone,
+            figure_of("judged", "caught_by_formulae_alone",
+                      "Where they claim the formulae and not their bits; null without a family of exact "
+                      "arithmetic.",
+                      "mutants")))
 };
 
 struct CaughtMutantData {

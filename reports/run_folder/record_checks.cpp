@@ -190,7 +190,8 @@ std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uin
         {"false_contact", engine.false_contact(), std::min(verdict.false_contact, engine.decided_separations)},
         {"decided_contacts", engine.decided_contacts, verdict.decided_contacts},
         {"decided_separations", engine.decided_separations, verdict.decided_separations}}) {
-    if (part > whole) return fmt::format("more {} on engine-like queries than on all, or than there were decided", kind);
+    if (part > whole)
+      return fmt::format("more {} on engine-like queries than on all, or than there were decided", kind);
   }
   if (engine.decided() > engine.queries || engine.queries > valid)
     return "more engine-like queries than valid ones, or more decided ones";

@@ -273,8 +273,8 @@ class RecordCheck {
                   numbers.missing <= numbers.judged,
               where, "more answers that contradict themselves than answers with a number");
     }
-    const std::uint64_t promised = truth.contact + truth.separated -
-                                   family.verdict.outside_limits.value_or(OutsideTally()).trials;
+    const std::uint64_t promised =
+        truth.contact + truth.separated - family.verdict.outside_limits.value_or(OutsideTally()).trials;
     const auto check_signs = [&](const auto& signs) {
       if (!signs) return;
       for (const auto& [sign, tally] : *signs) {
