@@ -15,7 +15,7 @@ void CleanCount::add_ties(ComparisonBits ties) {
   for_each_bit(ties, [&](std::size_t i) { ++ties_[i]; });
 }
 
-void CleanCount::add_to(Tally& tally, bool shows_signs) const {
+void CleanCount::add_to(Tally& tally) const {
   std::uint64_t separated = separated_, contact = contact_;
   for (std::size_t axes = 0; axes < by_axes_.size(); ++axes) {
     (axes != 0 ? separated : contact) += by_axes_[axes];
@@ -28,7 +28,7 @@ void CleanCount::add_to(Tally& tally, bool shows_signs) const {
   tally.verdict.decided_contacts += contact;
   tally.verdict.decided_touching += touching_;
   tally.truth.touching += touching_;
-  if (shows_signs) tally.count_signs(separated + contact);
+  tally.count_signs(with_bits_);
   for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
 }
 
@@ -102,7 +102,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const st
     }
     if (verdict_of(axes) != right || (answer.bits && *answer.bits != exact)) return false;
     if (kernel_.is_reference && reference_.shared(i) != exact) return false;
-    clean_.add(axes, signs.ties, touching);
+    clean_.add(axes, signs.ties, touching, answer.bits.has_value());
     return true;
   };
   // The same in a few comparisons of flat arrays, where no sign is a tie: of nearly all queries.
@@ -117,7 +117,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const st
     const AxisBits axes = axes_table[signs.strict];
     const bool is_clear = is_flat && signs.ties == 0 && radii[i] != 0 && verdicts[i] == verdict_of(axes) &&
                           (!bits || bits[i] == signs.strict) && (!is_reference || reference_.shared(i) == signs.strict);
-    if (is_clear) clean_.add(axes, 0, false);
+    if (is_clear) clean_.add(axes, 0, false, bits != nullptr);
     counted_[i] = is_clear || count_if_clean(i);
     if (counted_[i] && engine_like[i]) engine.count(is_flat ? verdicts[i] : run_.answer(i).verdict);
   }
@@ -252,7 +252,7 @@ void KernelScreen<Real>::sample(const Query<Real>& q, std::size_t i, LazyDistanc
 template <class Real>
 void KernelScreen<Real>::finish() {
   errors_.settle();
-  clean_.add_to(tally_, shows_comparisons());
+  clean_.add_to(tally_);
   repeated_.add_to(tally_);
   CriticalRadiusTally& tally = tally_.critical_radius;
   const auto critical = critical_radii(run_.implementation(), sampled_, radii_);

@@ -17,9 +17,10 @@ namespace axiscert {
 
 class CleanCount {
  public:
-  // `axes` are the separating ones.
-  void add(AxisBits axes, ComparisonBits ties, bool touching) {
+  // `axes` are the separating ones; `has_bits`: the answer has comparisons.
+  void add(AxisBits axes, ComparisonBits ties, bool touching, bool has_bits) {
     ++by_axes_[axes];
+    with_bits_ += has_bits;
     touching_ += touching;
     if (ties != 0) add_ties(ties);
   }
@@ -28,14 +29,13 @@ class CleanCount {
     ++(verdict == Verdict::separated ? separated_ : contact_);
     touching_ += touching;
   }
-  // `shows_signs`: the answers have comparisons.
-  void add_to(Tally& tally, bool shows_signs) const;
+  void add_to(Tally& tally) const;
 
  private:
   void add_ties(ComparisonBits ties);
   std::array<std::uint64_t, std::size_t{1} << axis_count> by_axes_{};
   std::array<std::uint64_t, comparison_count> ties_{};
-  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0;
+  std::uint64_t separated_ = 0, contact_ = 0, touching_ = 0, with_bits_ = 0;
 };
 
 // Judgements that repeat. Where queries leave the range nearly all have flips, but all that judging looks at is a few
