@@ -104,7 +104,8 @@ class FirstContacts(Case):
             for family in kernel["families"].values():
                 family["contacts"]["time"]["late"], family["contacts"]["time"]["best"] = 0, sum(family["contacts"]["time"][n] for n in ("late", "best"))
                 family["verdict"]["outside_limits"] = dict.fromkeys(
-                    ("trials", "decided_contacts", "decided_separations", "decided", "false_separation", "false_contact", "unanswered", "contact", "touching", "deepest"), 0)
+                    ("trials", "decided_contacts", "decided_separations", "decided", "false_separation", "false_contact", "unanswered", "contact",
+                     "touching", "deepest"), 0)
 
         less = self.edited(record, ignores_starts)
         done = axiscert("compare", self.folder / "out", less)
