@@ -177,7 +177,7 @@ std::string measures_text(const Predicate& predicate, const Examination& found) 
   add_body_texts(wrong, contact);
   if (contact.feature_error && std::isinf(*contact.feature_error)) wrong.emplace_back("a feature that there is not");
   else if (contact.feature_is_right == false) {
-    wrong.push_back(fmt::format("a feature that is not touched first, off by {:.3g} of the scene",
+    wrong.push_back(fmt::format("a wrong feature, off by {:.3g} of the scene",
                                 contact.feature_error.value_or(0)));
   }
   if (contact.normal_angle) wrong.push_back(fmt::format("normal off by {:.3g} radians", *contact.normal_angle));

@@ -68,7 +68,7 @@ class Witnesses(Case):
                     with self.subTest(command=command, what=what, shows=witness["shows"], address=witness["address"]):
                         self.assertEqual(given.returncode, 0, given.stderr + given.stdout)
         kinds = {kind for _, kind in seen}
-        for expected in ("latest time: N ulps", "a feature that is not touched first", "largest angle of a normal: N radians",
+        for expected in ("latest time: N ulps", "a wrong feature", "largest angle of a normal: N radians",
                          "deepest false_separation", "largest error of COMPARISON: N u"):
             self.assertIn(expected, kinds)
         self.assertTrue(any(kind.startswith("asymmetry: another verdict") for kind in kinds), sorted(kinds))

@@ -274,7 +274,7 @@ void WitnessWriter::note_contacts(const ContactTally& contacts, ShownReasons& sh
     note(separation->largest_in_u, worst("largest error of a separation", " u of the scene"));
   }
   if (const auto& feature = contacts.feature) {
-    note(feature->first_wrong, [](bool) { return "a feature that is not touched first"; });
+    note(feature->first_wrong, [](bool) { return "a wrong feature"; });
     note(feature->largest_error, largest("wrong feature farthest from its region", " of the scene"));
   }
   if (const auto& normal = contacts.normal) {

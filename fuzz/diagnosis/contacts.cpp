@@ -15,6 +15,7 @@ namespace axiscert::diagnosis {
 namespace contacts {  // named: lambdas of templates that see its types are no warning in a unity build
 
 constexpr std::size_t fewest_judged = 32;
+constexpr std::size_t most_exchanged = 64;  // judged once more with exchanged points, at 4 ms each
 
 // Empty where the kernel can be asked.
 template <class Real>
@@ -47,6 +48,41 @@ template <class Real>
 Json with_families(Json measured, const OnFamilies<Real>& others) {
   measured["of_families"] = others.of;
   return measured;
+}
+
+bool lacks(const ContactJudgement& found, MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::separation:
+      return found.lacks_separation;
+    case MeasureKind::feature:
+      return found.lacks_feature;
+    case MeasureKind::normal:
+      return found.lacks_normal;
+    default:
+      return found.lacks_point;
+  }
+}
+
+// The numbers that are given are right: whether some are missing, on any clear query that was judged.
+template <Enumeration Value, class Real>
+ProbeFinding right_or_missing(Subject<Real>& subject, MeasureKind kind, std::string sentence, Json measured) {
+  std::size_t judged = 0, missing = 0;
+  const JudgedContact<Real>* shown = nullptr;
+  for (const bool of_families : {false, true}) {
+    for (const JudgedContact<Real>& one : subject.judged_contacts(of_families)) {
+      if (one.query.size() == 0 || one.found.missed) continue;
+      ++judged;
+      if (!lacks(one.found, kind)) continue;
+      ++missing;
+      if (shown == nullptr) shown = &one;
+    }
+  }
+  if (shown == nullptr) return decided(Value::right, std::move(sentence), {}, std::move(measured));
+  const char* const what = kind == MeasureKind::point_b ? "point" : name(kind).data();
+  return decided(
+      Value::missing,
+      fmt::format("{} It gives none beside {} of {} clear queries that have one.", sentence, missing, judged),
+      witness_of(subject, *shown, fmt::format("no {} is given", what)), {{"missing", missing}, {"of", judged}});
 }
 
 }  // namespace contacts
@@ -83,9 +119,9 @@ ProbeFinding separations(Subject<Real>& subject) {
     });
     if (others.shown)
       return decided(Separations::wrong, others.text("Its separations are"), shows(*others.shown), others.measured());
-    return decided(
-        Separations::right,
-        fmt::format("Its separations are right but for rounding on {} clear queries.", all.size() + others.of), {},
+    return right_or_missing<Separations>(
+        subject, kind,
+        fmt::format("Its separations are right but for rounding on {} clear queries.", all.size() + others.of),
         with_families(measured, others));
   }
   const auto is_apart = [](const JudgedContact<Real>& one) { return *one.exact.separation > 0; };
@@ -242,10 +278,10 @@ ProbeFinding normals(Subject<Real>& subject) {
                     others.of, turned, uneven),
         turned != 0 ? witness_of(subject, *others.shown, other_side) : shows_length(*others.shown),
         {{"wrong", others.wrong}, {"of", others.of}, {"turned", turned}, {"largest_length_error", most_uneven}});
-  return decided(
-      Normals::right,
+  return right_or_missing<Normals>(
+      subject, kind,
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
-      {}, with_families(measured, others));
+      with_families(measured, others));
 }
 template ProbeFinding normals(Subject<float>&);
 template ProbeFinding normals(Subject<double>&);
@@ -287,9 +323,9 @@ ProbeFinding features(Subject<Real>& subject) {
               "It names a part that is not nearest on {} of {} clear queries of all families, and on none of one.",
               others.wrong, others.of),
           shows(*others.shown), {{"wrong", others.wrong}, {"of", others.of}});
-    return decided(Features::right,
-                   fmt::format("It names a part that is nearest on all {} clear queries.", all.size() + others.of), {},
-                   with_families(measured, others));
+    return right_or_missing<Features>(
+        subject, kind, fmt::format("It names a part that is nearest on {} clear queries.", all.size() + others.of),
+        with_families(measured, others));
   }
   const auto witnesses = shows(*shown);
   if (said.size() == 1)
@@ -337,9 +373,10 @@ ProbeFinding contact_points(Subject<Real>& subject) {
     });
     if (others.shown)
       return decided(Points::wrong, others.text("Its points are"), shows(*others.shown), others.measured());
-    return decided(Points::right,
-                   fmt::format("Its points are right but for rounding on {} clear queries.", all.size() + others.of),
-                   {}, with_families(measured, others));
+    return right_or_missing<Points>(
+        subject, kind,
+        fmt::format("Its points are right but for rounding on {} clear queries.", all.size() + others.of),
+        with_families(measured, others));
   }
   const auto witnesses = shows(*shown);
   if (const ContactLikeness* like = likeness_of(subject, all, kind, is_wrong))
@@ -347,23 +384,24 @@ ProbeFinding contact_points(Subject<Real>& subject) {
                    fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,
                    measured);
   if (has_pair) {
-    // Where the exact ones are known and more than a rounding apart.
-    const std::size_t first = *first_measure(subject.predicate(), MeasureKind::point_a),
-                      second = *first_measure(subject.predicate(), kind);
-    std::size_t known = 0, exchanged = 0;
+    std::size_t asked = 0, exchanged = 0;
     for (const JudgedContact<Real>& one : all) {
-      if (!is_wrong(one) || !one.exact.point || !one.exact.point_b) continue;
-      const auto at = [&](std::size_t place, const std::array<double, 3>& point) {
-        return is_like({point.begin(), point.end()}, std::span(one.measures).subspan(place, 3), 16 * small<Real>);
+      if (!is_wrong(one) || asked == most_exchanged) continue;
+      JudgedContact<Real> other = one;
+      const auto at = [&](MeasureKind which) {
+        return other.measures.begin() + static_cast<std::ptrdiff_t>(*first_measure(subject.predicate(), which));
       };
-      ++known;
-      exchanged += at(first, *one.exact.point_b) && at(second, *one.exact.point);
+      std::swap_ranges(at(MeasureKind::point_a), at(MeasureKind::point_a) + 3, at(MeasureKind::point_b));
+      other.found = oracles_of(subject.kernel()).contact_judge(one.query)->judge(one.said, other.measures);
+      ++asked;
+      exchanged += !is_wrong(other);
     }
-    if (known >= fewest_judged && holds_on_most(exchanged, known))
-      return decided(
-          Points::exchanged,
-          fmt::format("It says of each body the point of the other: so on {} of {} clear queries.", exchanged, known),
-          witnesses, measured);
+    if (holds_on_most(exchanged, asked))
+      return decided(Points::exchanged,
+                     fmt::format("It says of each body the point of the other: so on {} of {} clear queries that were "
+                                 "judged with its points exchanged.",
+                                 exchanged, asked),
+                     witnesses, measured);
   }
   return decided(Points::wrong,
                  fmt::format("{} of {} points on clear queries are wrong, by up to {:.3g} of the scene: no rule.",

@@ -47,6 +47,9 @@ TEST(ContactProbes, NameEachPlantedFaultAndNoRightChoice) {
                                            {"on-the-sphere", {{"contact_point", "other_body"}}},
                                            {"margin-of-5-mm", {{"separation", "margin"}}},
                                            {"never-positive", {{"separation", "never_positive"}}},
+                                           {"some-points-missing", {{"contact_point", "missing"}}},
+                                           {"some-normals-missing", {{"normal", "missing"}}},
+                                           {"some-features-missing", {{"feature", "missing"}}},
                                            {"no-separation", {{"separation", "not_known"}}}};
   const Kernel& right = find_kernel("minkowski");
   for (const PlantedContact& planted : planted_contacts()) {

@@ -39,14 +39,14 @@ enum class Place : std::uint8_t { independent, depends };
 // A length by which it answers as if a shape were larger, or smaller.
 enum class Slack : std::uint8_t { none_found, early, late };
 // The numbers beside the verdict. Separations: never above 0; with the other sign; of another thing (the predicate's
-// contact likenesses); off by one length everywhere; wrong without a rule.
-enum class Separations : std::uint8_t { right, never_positive, negated, against_plane, margin, scaled, wrong };
+// contact likenesses); off by one length everywhere; wrong without a rule; right, and missing beside other numbers.
+enum class Separations : std::uint8_t { right, never_positive, negated, against_plane, margin, scaled, wrong, missing };
 // Normals: to the other side; of another thing; off by one angle everywhere; of another length than 1.
-enum class Normals : std::uint8_t { right, flipped, of_centres, of_face, tilted, not_normalised, wrong };
+enum class Normals : std::uint8_t { right, flipped, of_centres, of_face, tilted, not_normalised, wrong, missing };
 // Features: the same number whatever is nearest.
-enum class Features : std::uint8_t { right, one_part, wrong };
+enum class Features : std::uint8_t { right, one_part, wrong, missing };
 // Points of contact: of the body that has none; of two, each said to be the other's.
-enum class Points : std::uint8_t { right, other_body, exchanged, wrong };
+enum class Points : std::uint8_t { right, other_body, exchanged, wrong, missing };
 // Clear queries that have a trait (fuzz/queries/capabilities.h).
 enum class ByTrait : std::uint8_t { right, wrong };
 
@@ -74,12 +74,12 @@ AXISCERT_VALUES(Inner, 3, inner_names, "narrower", "own", "wider")
 AXISCERT_VALUES(RepeatedBatch, 2, repeated_names, "same", "differs")
 AXISCERT_VALUES(Place, 2, place_names, "independent", "depends")
 AXISCERT_VALUES(Slack, 3, slack_names, "none_found", "early", "late")
-AXISCERT_VALUES(Separations, 7, separations_names, "right", "never_positive", "negated", "against_plane", "margin",
-                "scaled", "wrong")
-AXISCERT_VALUES(Normals, 7, normals_names, "right", "flipped", "of_centres", "of_face", "tilted", "not_normalised",
-                "wrong")
-AXISCERT_VALUES(Features, 3, features_names, "right", "one_part", "wrong")
-AXISCERT_VALUES(Points, 4, points_names, "right", "other_body", "exchanged", "wrong")
+AXISCERT_VALUES(Separations, 8, separations_names, "right", "never_positive", "negated", "against_plane", "margin",
+                "scaled", "wrong", "missing")
+AXISCERT_VALUES(Normals, 8, normals_names, "right", "flipped", "of_centres", "of_face", "tilted", "not_normalised",
+                "wrong", "missing")
+AXISCERT_VALUES(Features, 4, features_names, "right", "one_part", "wrong", "missing")
+AXISCERT_VALUES(Points, 5, points_names, "right", "other_body", "exchanged", "wrong", "missing")
 AXISCERT_VALUES(ByTrait, 2, by_trait_names, "right", "wrong")
 #undef AXISCERT_VALUES
 

@@ -101,6 +101,18 @@ inline std::vector<PlantedContact> planted_contacts() {
       {"margin-of-5-mm", [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] -= 0.005f; }},
       {"never-positive",
        [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] = std::min(0.0f, m[separation][i]); }},
+      {"some-points-missing",
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         for (std::size_t k = 0; i % 37 == 0 && k < 3; ++k) m[point + k][i] = std::nanf("");
+       }},
+      {"some-normals-missing",
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         for (std::size_t k = 0; i % 37 == 0 && k < 3; ++k) m[normal + k][i] = std::nanf("");
+       }},
+      {"some-features-missing",
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         if (i % 37 == 0) m[feature][i] = std::nanf("");
+       }},
       {"no-separation", [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] = std::nanf(""); }},
   };
 }

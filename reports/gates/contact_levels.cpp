@@ -116,6 +116,16 @@ void for_each_part(const Subject& subject, std::optional<Part> ContactTally::*me
   }
 }
 
+// A number that is missing beside others fails the level that is about it, as a wrong one does.
+template <class Part>
+void add_missing(const Subject& subject, LevelFindings& found, std::optional<Part> ContactTally::*member,
+                 std::string_view what) {
+  for_each_part(subject, member, [&](const std::string& family, const Part& part) {
+    subject.add_shown(found.failures, family, part.none, fmt::format("answers without a {}, though there is one", what),
+                      consistency_words[Consistency::missing]);
+  });
+}
+
 LevelFindings judge_early(const AskedLevel& asked, const Subject& subject) {
   const SizeLimit bound = size_limit(asked, displacement_bound);
   const double metres_of_unit = metres_of(subject.record().plan);
@@ -174,18 +184,18 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
 LevelFindings judge_feature(const AskedLevel& asked, const Subject& subject) {
   LevelFindings found =
       look_at(subject, counts_of(&ContactTally::feature), MeasureKind::feature, "feature", "a feature to compare");
+  add_missing(subject, found, &ContactTally::feature, "feature");
   for_each_part(subject, &ContactTally::feature, [&](const std::string& family, const FeatureTally& feature) {
     if (!asked.has_argument) {
-      subject.add_shown(found.failures, family, feature.wrong, "features that are not touched first", "a feature");
+      subject.add_shown(found.failures, family, feature.wrong, "wrong features", "a wrong feature");
       return;
     }
     const double most = number_argument(asked, scene_bound), largest = feature.largest_error.best();
-    subject.add_shown(found.failures, family, feature.unnamed, "features that there are not", "a feature");
+    subject.add_shown(found.failures, family, feature.unnamed, "features that there are not", "a wrong feature");
     if (largest > most) {
       subject.add_shown(
           found.failures, family, feature.wrong - feature.unnamed,
-          fmt::format("features that are not touched first, the farthest by {:.4g} of the scene: {} is allowed",
-                      largest, most),
+          fmt::format("wrong features, the farthest by {:.4g} of the scene: {} is allowed", largest, most),
           "wrong feature farthest");
     }
   });
@@ -203,6 +213,7 @@ void add_worst(const Subject& subject, LevelFindings& found, const std::string& 
 // Normals beside separations alone say nothing of those beside contacts, by which bodies are pushed.
 LevelFindings look_at_normals(const Subject& subject, const Counts& counts, std::string_view without) {
   LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal", without);
+  add_missing(subject, found, &ContactTally::normal, "normal");
   if (found.not_checked.empty())
     found.not_checked = seldom_text(subject, counts_of(&ContactTally::pushed), "normal of an overlap");
   return found;
@@ -239,6 +250,7 @@ LevelFindings look_at_pushed(const Subject& subject, const Counts& counts) {
     found = {};
     found.not_checked = "in a predicate of motions nothing is pushed out of another";
   }
+  add_missing(subject, found, &ContactTally::pushed, "normal along which to push");
   return found;
 }
 
@@ -276,6 +288,8 @@ LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
       has_pair
           ? look_at(subject, counts_of(&ContactTally::point_b), MeasureKind::point_b, "point", "a point to compare")
           : look_at(subject, counts_of(&ContactTally::point), MeasureKind::point, "point", "a point to compare");
+  if (has_pair) add_missing(subject, found, &ContactTally::point_b, "point");
+  else add_missing(subject, found, &ContactTally::point, "point");
   const auto check = [&](auto member, const char* what, const char* shown) {
     for_each_part(subject, member, [&](const std::string& family, const auto& tally) {
       add_worst(subject, found, family, tally.largest_error.best(), most, what, " of the scene", shown);
@@ -289,10 +303,9 @@ LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
 }
 
 std::string feature_sentence(const AskedLevel& asked) {
-  if (!asked.has_argument) return "no feature beside a contact but one that is touched first";
+  if (!asked.has_argument) return "no feature that is wrong, or missing beside other numbers";
   return fmt::format(
-      "no feature beside a contact but one that is touched first, or in whose region the centre is then "
-      "but for {} of the scene",
+      "no feature that is missing beside other numbers, or from whose region the centre is more than {} of the scene",
       number_argument(asked, scene_bound));
 }
 
@@ -343,11 +356,12 @@ extern const GateLevel feature_level = {
 
 extern const GateLevel normal_level = {
     .usage = "normal=DEG",
-    .meaning = "no normal that is off by more than DEG degrees, where there is a single exact one",
+    .meaning = "no normal off by more than DEG degrees, where there is a single exact one, and none missing",
     .check = [](const AskedLevel& asked) { number_argument(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no normal that is off by more than {} degrees", number_argument(asked, angle_bound));
+          return fmt::format("no normal that is missing beside other numbers, or off by more than {} degrees",
+                             number_argument(asked, angle_bound));
         },
     .judge = judge_normal,
     .in_certificates = degrees};
@@ -380,16 +394,17 @@ extern const GateLevel left_level = {
     .judge = judge_left,
     .in_certificates = shares};
 
-extern const GateLevel point_level = {.usage = "point=D",
-                                      .meaning = "no point of contact that is off by more than D of the scene",
-                                      .check = [](const AskedLevel& asked) { number_argument(asked, scene_bound); },
-                                      .sentence =
-                                          [](const AskedLevel& asked) {
-                                            return fmt::format(
-                                                "no point of contact that is off by more than {} of the scene",
-                                                number_argument(asked, scene_bound));
-                                          },
-                                      .judge = judge_point,
-                                      .in_certificates = shares};
+extern const GateLevel point_level = {
+    .usage = "point=D",
+    .meaning = "no point of contact off by more than D of the scene, and none missing",
+    .check = [](const AskedLevel& asked) { number_argument(asked, scene_bound); },
+    .sentence =
+        [](const AskedLevel& asked) {
+          return fmt::format(
+              "no point of contact that is missing beside other numbers, or off by more than {} of the scene",
+              number_argument(asked, scene_bound));
+        },
+    .judge = judge_point,
+    .in_certificates = shares};
 
 }  // namespace axiscert

@@ -81,6 +81,8 @@ std::string contacts_text(FamilyGroup group, const GroupResult& result, const Le
     text += fmt::format("; no normal beside {} overlaps", of_text(result.without_push, result.pushes));
   const double degrees = result.largest_normal_angle * 180 / std::numbers::pi;
   if (degrees >= 1) text += fmt::format("; normals up to {} degrees off", amount(degrees, 3));
+  if (result.without_point != 0)
+    text += fmt::format("; no point beside {} answers", of_text(result.without_point, result.points));
   if (result.largest_point_error >= 1e-3)
     text += fmt::format("; points up to {} of the scene off", amount(result.largest_point_error, 3));
   return text;
@@ -167,8 +169,16 @@ GroupResult group_result(const KernelRecord& kernel, FamilyGroup group) {
     if (const auto& feature = result.contacts->feature) out.wrong_features += feature->wrong;
     if (const auto& normal = result.contacts->normal)
       out.largest_normal_angle = std::max(out.largest_normal_angle, normal->largest_angle.best());
-    if (const auto& point = result.contacts->point)
-      out.largest_point_error = std::max(out.largest_point_error, point->largest_error.best());
+    const auto add_points = [&out](const auto& points) {
+      if (points) out.largest_point_error = std::max(out.largest_point_error, points->largest_error.best());
+    };
+    for (const auto* points : {&result.contacts->point, &result.contacts->point_a, &result.contacts->point_b})
+      add_points(*points);
+    add_points(result.contacts->points);
+    if (const auto& given = result.contacts->point ? result.contacts->point : result.contacts->point_a) {
+      out.points += given->judged;
+      out.without_point += given->none;
+    }
     if (const auto& separation = result.contacts->separation) {
       out.separations += separation->judged;
       out.without_separation += result.contacts->answers - std::min(result.contacts->answers, separation->judged);

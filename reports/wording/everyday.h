@@ -49,6 +49,7 @@ struct GroupResult {
   std::uint64_t times = 0, without_time = 0;              // contacts, of a kernel that gives times
   std::uint64_t separations = 0, without_separation = 0;  // answers of bodies as they are
   std::uint64_t pushes = 0, without_push = 0, sided = 0;  // overlaps; sided: with a normal that has a side
+  std::uint64_t points = 0, without_point = 0;            // answers
   double farthest_separation = 0;                         // a length in the queries' unit
   std::uint64_t contradictions = 0, flips = 0;
   std::uint64_t wrong_features = 0;

@@ -126,6 +126,15 @@ TEST(Everyday, SaysWhatElseOfContactsAPersonWouldSee) {
       said(),
       "1,000 everyday scenes: no wrong verdict; 259 features wrong; normals up to 139 degrees off; points up to 0.2 of "
       "the scene off");
+  motion.feature->wrong = 0;
+  motion.normal->largest_angle = {};
+  motion.point->none = 12;
+  motion.point->judged = 988;
+  motion.points->largest_error.offer({0.5, 2});
+  EXPECT_EQ(said(),
+            "1,000 everyday scenes: no wrong verdict; no point beside 12 of 1,000 answers; points up to 0.5 of the "
+            "scene off")
+      << "of two bodies, a push by the way between the points counts too";
 }
 
 TEST(Everyday, SaysTheWorstSeparationInMetresAndFlips) {
