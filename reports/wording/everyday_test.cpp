@@ -127,7 +127,7 @@ TEST(Everyday, SaysWhatElseOfContactsAPersonWouldSee) {
       "1,000 everyday scenes: no wrong verdict; 259 features wrong; normals up to 139 degrees off; points up to 0.2 of "
       "the scene off");
   motion.feature->wrong = 0;
-  motion.normal->largest_angle = {};
+  motion.normal->largest_angle = Leaders<double>();
   motion.point->none = 12;
   motion.point->judged = 988;
   motion.points->largest_error.offer({0.5, 2});
