@@ -68,7 +68,7 @@ install(FILES README.md NOTICE CITATION.cff CITATION.bib DESTINATION share/doc/a
 install(FILES LICENSE CHANGELOG.md DESTINATION share/doc/axiscert ${here})
 install(DIRECTORY docs DESTINATION share/doc/axiscert FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN precision_claims.json
         PATTERN docs/checks EXCLUDE)
-install(DIRECTORY examples/plugin examples/certified examples/plots examples/pipe examples/queries
-        DESTINATION share/doc/axiscert/examples)
+install(DIRECTORY examples/plugin examples/certified examples/pipe DESTINATION share/doc/axiscert/examples)
+install(FILES examples/bits.py examples/boxes-by-corners.jsonl examples/cgal-double.jsonl DESTINATION share/doc/axiscert/examples)
 install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/debian/changelog.gz DESTINATION share/doc/axiscert ${debian})
 install(FILES cmake/debian/lintian-overrides DESTINATION share/lintian/overrides RENAME axiscert ${debian})

@@ -30,7 +30,7 @@ function(axiscert_test_header layer)
   target_precompile_headers(${layer}_test_header PRIVATE <gtest/gtest.h> <gmock/gmock.h> ${arg_HEADERS})
 endfunction()
 
-# axiscert_test(NAME SOURCES... [FOLDERS folders...] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [SANITIZED]
+# axiscert_test(NAME SOURCES... [FOLDERS folders... [EXCEPT sources...]] LIBRARIES libraries... [HEADER layer] [NEEDS targets...] [SANITIZED]
 # [SKIP_IF_REUSED filter] [UNOPTIMIZED] [LONG]): a GoogleTest program of its sources and the `_test.cpp` of its folders, one CTest test
 # a case, or one for all where libraries are reused. Suites whose names end in "Long", typed ones (SuiteLong/0) too, get the label
 # `long`, the others `quick`; with LONG all get `long`, and in a sanitized build all that are not marked SANITIZED. HEADER: the layer
@@ -40,11 +40,12 @@ function(axiscert_test name)
   if(NOT AXISCERT_TESTS)
     return()
   endif()
-  cmake_parse_arguments(arg "LONG;SANITIZED;UNOPTIMIZED" "HEADER;SKIP_IF_REUSED" "LIBRARIES;FOLDERS;NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "LONG;SANITIZED;UNOPTIMIZED" "HEADER;SKIP_IF_REUSED" "LIBRARIES;FOLDERS;EXCEPT;NEEDS" ${ARGN})
   set(sources ${arg_UNPARSED_ARGUMENTS})
   if(arg_FOLDERS)
     list(TRANSFORM arg_FOLDERS APPEND /*_test.cpp)
     file(GLOB found CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${arg_FOLDERS})
+    list(REMOVE_ITEM found ${arg_EXCEPT})
     list(APPEND sources ${found})
   endif()
   add_executable(${name} ${sources})

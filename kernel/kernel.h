@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/arithmetic/arithmetic_list.h"
+#include "kernel/base/arithmetic_list.h"
 #include "kernel/base/enums.h"
 #include "kernel/names.h"
 #include "kernel/outcome.h"

@@ -8,13 +8,13 @@
 #include <random>
 #include <set>
 
-#include "kernel/sphere_triangle/reference/contracted.h"
+#include "kernel/sphere_triangle/forms/contracted.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/registry/self_check.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -4,7 +4,7 @@
 // an error of the linker that names it:
 //   kernel/registry/predicates.cpp     const Predicate& NAME_predicate();
 //   kernel/registry/registry.cpp       std::vector<Kernel> NAME_kernels();
-//   exact/trait/oracles.cpp            const Oracles& NAME_oracles(std::size_t entry);   of an entry of the predicate
+//   exact/judge/oracles.cpp            const Oracles& NAME_oracles(std::size_t entry);   of an entry of the predicate
 //   fuzz/queries/family.cpp            std::span<const Family* const> NAME_families();
 //   fuzz/queries/family.cpp            const Capabilities& NAME_capabilities();
 // NAME has '_' where the predicate's id has '-'.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "kernel/base/error.h"
 #include "kernel/plugin/load.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/pipe/streams.h"
+#include "fuzz/files/streams.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

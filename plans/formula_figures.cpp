@@ -6,13 +6,13 @@
 #include <algorithm>
 
 #include "exact/numbers/number_format.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
 #include "kernel/registry/self_check.h"
-#include "reports/instrument/precision/condition_report.h"
-#include "reports/instrument/precision/ladder_report.h"
-#include "reports/instrument/precision/precision_report.h"
+#include "reports/instrument/condition_report.h"
+#include "reports/instrument/ladder_report.h"
+#include "reports/instrument/precision_report.h"
 
 namespace axiscert {
 namespace {

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <span>
 
-#include "fuzz/campaign/parts/distribute.h"
-#include "fuzz/campaign/parts/gathered.h"
-#include "fuzz/campaign/parts/journal.h"
-#include "fuzz/causes/cause.h"
+#include "fuzz/campaign/distribute.h"
+#include "fuzz/campaign/gathered.h"
+#include "fuzz/campaign/journal.h"
+#include "fuzz/confirm/cause.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/diagnosis/beside_runs.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"
 #include "kernel/registry/self_check.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/record/run_info.h"
 #include "kernel/kernel.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "fuzz/certify/effort.h"
+#include "fuzz/instruments/effort.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/text/file_bytes.h"

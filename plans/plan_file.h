@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plans/run_plan.h"
-#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/text/json.h"
 
 namespace axiscert {

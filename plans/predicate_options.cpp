@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fmt/ranges.h>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
 

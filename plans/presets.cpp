@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/error.h"

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <thread>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/certify/effort.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/instruments/effort.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"

@@ -55,7 +55,7 @@ class Program {
 
 enum class Form : unsigned char { published, reduced };
 inline constexpr std::array<std::string_view, 2> form_names = {"published", "reduced"};
-// `fma`: dot and cross products with fused multiply-add, kernel/arithmetic/number.h.
+// `fma`: dot and cross products with fused multiply-add, kernel/base/number.h.
 enum class Contraction : unsigned char { plain, fma };
 inline constexpr std::array<std::string_view, 2> contraction_names = {"plain", "fma"};
 constexpr std::string_view name(Form f) { return form_names[static_cast<std::size_t>(f)]; }
@@ -69,7 +69,7 @@ struct Recording {
   std::array<std::size_t, comparison_count> lhs, rhs;
 };
 
-// Evaluates kernel/sphere_triangle/formulae.h or kernel/sphere_triangle/formulae/reduced.h over a number type that
+// Evaluates kernel/sphere_triangle/formulae.h or kernel/sphere_triangle/forms/reduced.h over a number type that
 // records its operations.
 Recording record(Form form, Contraction contraction);
 

@@ -2,9 +2,9 @@
 #include <stdexcept>
 
 #include "proofs/program.h"
-#include "kernel/arithmetic/number.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/base/number.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
 
 namespace axiscert::proofs {
 namespace {

@@ -4,8 +4,8 @@
   write_thresholds.py [--check] [--coq FOLDER] [--headers FOLDER]
 
 reads, in coq/, the files named in READ and writes
-  kernel/sphere_triangle/certified_filter/thresholds.h      for the kernels
-  kernel/sphere_triangle/certified_filter/margin_bounds.h   for the filters of exact/ and the certified predicate
+  kernel/sphere_triangle/forms/filter_thresholds.h   for the kernels
+  kernel/sphere_triangle/forms/margin_bounds.h       for the filters of exact/ and the certified predicate
 With --check nothing is written, and exit status 1 names the file that is not current. Exit status 2: the theory is
 not as expected. The same figures as theorems about the filters are Exported.v, which prove.py adds to the theory: so the
 figures read here are those proved there."""
@@ -22,8 +22,7 @@ FORMATS = {"binary32": (24, 128), "binary64": (53, 1024)}
 # The files of the theory that are read, by folder.
 READ = {
     "formulae": ["Thresholds.v", "Filters.v"],
-    "certified": ["Margins.v", "Certified.v", "CertifiedStep.v", "CoarseFloat.v"],
-    "conservative": ["Conservative.v", "ConservativeStep.v"],
+    "certified": ["Margins.v", "Certified.v", "CertifiedStep.v", "CoarseFloat.v", "Conservative.v", "ConservativeStep.v"],
 }
 # The comparisons in the order of kernel/sphere_triangle/names.h and of Vectors.v.
 COMPARISONS = ["plane_radius"] + [
@@ -166,7 +165,7 @@ def margins_header(bounds, coarse, conservative, ends):
 namespace axiscert::filter {{
 
 // `units` are multiples of the relative error of an operation times unit_factor; the others are factors of what was
-// bounded before (exact/sphere_triangle/filters/margins-inl.h).
+// bounded before (exact/sphere_triangle/oracles/margins-inl.h).
 struct MarginBounds {{
 {members(bounds)}
 }};
@@ -197,7 +196,7 @@ def exported_v(exported, windows, bounds, coarse, conservative):
         pairs = [f"({n}, {degree(form, name)}%nat)" for n, name in zip(exported[form], COMPARISONS)]
         return listed(pairs)
 
-    text = """(* The numbers of thresholds.h in kernel/sphere_triangle/certified_filter, proved of the filters that never lie, and those of
+    text = """(* The numbers of filter_thresholds.h in kernel/sphere_triangle/forms, proved of the filters that never lie, and those of
    margin_bounds.h beside it. Written by write_thresholds.py: do not edit. *)
 From Coq Require Import Reals ZArith List.
 From Flocq Require Import Core BinarySingleNaN.
@@ -260,7 +259,7 @@ def exported(coq):
         ends["coarse", f] = float_exponents(theory["CoarseFloat.v"], f)
         if ends["coarse", f][:1] != exponents(theory, "CertifiedStep.v", "coarse_never_lies", f):
             stop(f"CertifiedStep.v and CoarseFloat.v: the least S differs in {f}")
-    return {"thresholds.h": header(proved, windows), "margin_bounds.h": margins_header(bounds, coarse, conservative, ends),
+    return {"filter_thresholds.h": header(proved, windows), "margin_bounds.h": margins_header(bounds, coarse, conservative, ends),
             "Exported.v": exported_v(proved, windows, bounds, coarse, conservative)}
 
 
@@ -268,11 +267,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--coq", type=pathlib.Path, default=PROOFS / "coq")
-    parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parent / "kernel" / "sphere_triangle" / "certified_filter")
+    parser.add_argument("--headers", type=pathlib.Path, default=PROOFS.parent / "kernel" / "sphere_triangle" / "forms")
     options = parser.parse_args()
     texts = exported(options.coq)
     stale = False
-    for name in ("thresholds.h", "margin_bounds.h"):
+    for name in ("filter_thresholds.h", "margin_bounds.h"):
         path = options.headers / name
         if options.check and (not path.exists() or path.read_text() != texts[name]):
             print(f"write_thresholds: {path} is not current: run proofs/write_thresholds.py", file=sys.stderr)

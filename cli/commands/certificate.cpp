@@ -5,11 +5,11 @@
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/running/certify.h"
-#include "cli/running/verify.h"
+#include "cli/commands/certify.h"
+#include "cli/commands/verify.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
-#include "fuzz/certify/effort.h"
+#include "fuzz/instruments/effort.h"
 
 namespace axiscert {
 void add_certify(CLI::App& app, Action& action) {

@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
-#include "cli/running/run_output.h"
+#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "kernel/base/error.h"

@@ -5,7 +5,7 @@
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
-#include "cli/running/run_output.h"
+#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "plans/kernel_figures.h"

@@ -12,7 +12,7 @@
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
 #include "cli/shared_options.h"
-#include "fuzz/pipe/streams.h"
+#include "fuzz/files/streams.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

@@ -7,7 +7,7 @@
 #include "cli/help.h"
 #include "cli/shared_options.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/family.h"
 #include "kernel/kernel.h"
 #include "kernel/permitted/permissions.h"

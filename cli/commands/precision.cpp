@@ -11,7 +11,7 @@
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "exact/numbers/number_format.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
@@ -20,7 +20,7 @@
 #include "plans/formula_figures.h"
 #include "plans/given_queries.h"
 #include "plans/predicate_options.h"
-#include "reports/instrument/precision/critical_radius_report.h"
+#include "reports/instrument/critical_radius_report.h"
 
 namespace axiscert {
 namespace {

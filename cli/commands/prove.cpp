@@ -11,14 +11,14 @@
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
-#include "cli/running/run_output.h"
+#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/error.h"
 #include "proofs/bounds.h"
 #include "proofs/checkers.h"
-#include "proofs/emit/emit.h"
+#include "proofs/emit.h"
 #include "reports/instrument/proofs_data.h"
 
 namespace axiscert {

@@ -7,7 +7,7 @@
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/running/run_output.h"
+#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/search/pools.h"

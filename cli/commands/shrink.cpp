@@ -9,7 +9,7 @@
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "plans/given_queries.h"
 #include "plans/notices.h"

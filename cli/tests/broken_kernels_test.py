@@ -135,7 +135,7 @@ class FromCallToCall(Case):
 
     def test_right_kernels_have_no_finding_and_their_queries_are_counted(self):
         """A plug-in of the examples, and a peer; a built-in kernel is not asked again."""
-        source = ROOT / "examples/plugin/c/my_kernel.c"
+        source = ROOT / "examples/plugin/my_kernel.c"
         mine = self.folder / "mine.so"
         subprocess.run(["cc", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", mine], check=True)
         record = self.run_ok("--kernel", f"plugin:{mine}", "--kernel", "fault/none", "--kernel", "published", "--trials", "2048",

@@ -176,7 +176,7 @@ class Ratchet(Case):
             worse = [r for r in run["results"] if r["ruleId"] == "worse-than-accepted"]
             self.assertEqual(len(worse), done.stderr.count("axiscert: --ratchet: "))
             self.assertIn("the ratchet is not met", (self.folder / "out/report.md").read_text())
-        for name, schema in {"report.sarif": REPORTS / "testdata/sarif-2.1.0-rtm.5.json",
+        for name, schema in {"report.sarif": REPORTS / "testing/sarif-2.1.0-rtm.5.json",
                              "ratchet.json": SCHEMAS / "ratchet.schema.json"}.items():
             self.assertEqual(validate(schema, self.folder / "out" / name).stderr, "")
         done = self.judge("none", "--ratchet", self.ratchet, "--quiet")
@@ -231,14 +231,14 @@ class CiFormats(Case):
     def test_they_conform_to_their_schemas(self):
         self.run_ok(*PLAN, "--require", "logic", "--tolerance", "plane.radius=1", code=1)
         stored = self.folder / "stored"  # with findings and names that have to be escaped
-        shutil.copytree(REPORTS / "testdata", stored)
+        shutil.copytree(REPORTS / "testing", stored)
         record = json.loads((stored / "record.json").read_text())
         self.assertEqual(axiscert("report", stored).returncode, 0)
         for folder in (self.folder / "out", stored):
-            done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testdata/junit.xsd", folder / "junit.xml"],
+            done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testing/junit.xsd", folder / "junit.xml"],
                                   capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(validate(REPORTS / "testdata/sarif-2.1.0-rtm.5.json", folder / "report.sarif").stderr, "")
+            self.assertEqual(validate(REPORTS / "testing/sarif-2.1.0-rtm.5.json", folder / "report.sarif").stderr, "")
         # One case for each kernel, family and comparison, and one verdict for each.
         suites = ElementTree.parse(self.folder / "out/junit.xml").getroot()
         self.assertEqual(sum(len(suite.findall("testcase")) for suite in suites), 2 * 17)
@@ -259,9 +259,9 @@ class CiFormats(Case):
         log = json.loads(sarif.read_text())
         log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"] = 0
         sarif.write_text(json.dumps(log))
-        self.assertEqual(validate(REPORTS / "testdata/sarif-2.1.0-rtm.5.json", sarif).returncode, 1)
+        self.assertEqual(validate(REPORTS / "testing/sarif-2.1.0-rtm.5.json", sarif).returncode, 1)
         junit.write_text(junit.read_text().replace(" hostname=\"localhost\"", ""))
-        done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testdata/junit.xsd", junit], capture_output=True)
+        done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testing/junit.xsd", junit], capture_output=True)
         self.assertNotEqual(done.returncode, 0)
 
     def test_fingerprints_are_the_same_in_every_run(self):

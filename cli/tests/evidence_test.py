@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Met means looked at: kinds of kernels that decline, call valid queries invalid, answer nothing or promise little, and what each level and
-each command has to say of them. The kernels are those of kernel/plugin/testing and kernel/plugin/misbehaving."""
+each command has to say of them. The kernels are those of kernel/plugin and kernel/plugin/misbehaving."""
 import json
 import re
 import unittest

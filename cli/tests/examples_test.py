@@ -12,9 +12,9 @@ from pathlib import Path
 from command import BUILD, DIVISOR, ROOT, family
 
 EXAMPLES = ROOT / "examples" / "plugin"
-EXAMPLE_KERNELS = {"boxes": [32], "c": [32], "cpp": [32, 64]}
+EXAMPLE_KERNELS = {"box_kernel": [32], "my_kernel": [32], "my_formulae": [32, 64]}
 if DIVISOR == 1:  # a program without one cannot load a library with a sanitizer in it
-    EXAMPLE_KERNELS["certified"] = [32, 64]
+    EXAMPLE_KERNELS["certified_plugin"] = [32, 64]
 
 
 def done(*command):
@@ -37,16 +37,15 @@ class Examples(unittest.TestCase):
         done("cmake", "--install", BUILD, "--prefix", cls.folder / "first")
         cls.prefix = cls.folder / "moved"
         (cls.folder / "first").rename(cls.prefix)
-        cls.plugins = {name: cls.built(EXAMPLES / name) for name in EXAMPLE_KERNELS}
+        cls.plugins = cls.built(EXAMPLES)
 
     @classmethod
     def built(cls, source):
-        """The plug-in of an example, built against the installed axiscert."""
+        """The plug-ins of the examples by name, built against the installed axiscert."""
         build = Path(tempfile.mkdtemp(dir=cls.folder))
         done("cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={cls.prefix}")
         done("cmake", "--build", build)
-        (plugin,) = (file for file in build.glob("*.so") if not file.stem.endswith("-exact"))
-        return plugin
+        return {file.stem: file for file in build.glob("*.so")}
 
     def installed(self, *arguments):
         return done(self.prefix / "bin" / "axiscert", *arguments)
@@ -62,8 +61,8 @@ class Examples(unittest.TestCase):
         for file in ("bin/axiscert", "libexec/axiscert/axiscert-plugin-host", "include/axiscert/plugin.h",
                      "lib/cmake/axiscert/axiscertConfig.cmake", "lib/cmake/axiscert/axiscertConfigVersion.cmake",
                      "include/axiscert/formulae.hpp", "include/axiscert/exact_number.hpp", "share/axiscert/schemas/ladder.schema.json",
-                     "share/doc/axiscert/docs/start/c-kernel.md", "share/doc/axiscert/docs/plots/front-door.svg",
-                     "share/doc/axiscert/examples/plugin/c/my_kernel.c", "lib/axiscert/faults/none.so", "share/doc/axiscert/README.md", "share/doc/axiscert/LICENSE",
+                     "share/doc/axiscert/docs/start-c-kernel.md", "share/doc/axiscert/docs/plots/front-door.svg",
+                     "share/doc/axiscert/examples/plugin/my_kernel.c", "lib/axiscert/faults/none.so", "share/doc/axiscert/README.md", "share/doc/axiscert/LICENSE",
                      "share/doc/axiscert/NOTICE"):
             self.assertTrue((self.prefix / file).is_file(), file)
         self.assertEqual((self.prefix / "include/axiscert/plugin.h").read_text(), (ROOT / "kernel/include/axiscert/plugin.h").read_text())
@@ -100,16 +99,16 @@ class Examples(unittest.TestCase):
                 self.assertFalse(told[-1], "null after the last kernel")
 
     def test_the_one_query_example_is_right_where_nothing_is_rounded(self):
-        own = f"plugin:{self.plugins['c']}"
+        own = f"plugin:{self.plugins['my_kernel']}"
         record = self.judged(own, families=("general", "lattice", "repeated"), options=("--require", "logic"))
         self.assertEqual(record["findings"], [])
         self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32"})
         self.assertIsNone(family(record, "lattice", kernel=own)["comparisons"], "it shows verdicts only")
 
     def formulae(self, **changes):
-        """The two plug-ins of examples/plugin/cpp, in floats and in exact arithmetic, with these changes to its source."""
+        """The two plug-ins of examples/plugin, in floats and in exact arithmetic, with these changes to its source."""
         source = Path(tempfile.mkdtemp(dir=self.folder)) / "formulae"
-        shutil.copytree(EXAMPLES / "cpp", source)
+        shutil.copytree(EXAMPLES, source)
         text = (source / "my_formulae.cpp").read_text()
         for old, new in changes.get("changes", ()):
             self.assertIn(old, text)
@@ -162,7 +161,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(family(record, "repeated", "binary32", exact)["verdict"]["undecided"], 100)
 
     def test_without_cmake_two_lines_build_them(self):
-        source, include = EXAMPLES / "cpp" / "my_formulae.cpp", f"-I{self.prefix / 'include'}"
+        source, include = EXAMPLES / "my_formulae.cpp", f"-I{self.prefix / 'include'}"
         warnings = ["-std=c++17", "-pedantic-errors", "-Wall", "-Wextra", "-Werror"]
         done("c++", *warnings, "-O2", "-ffp-contract=off", "-shared", "-fPIC", include, source, "-o", self.folder / "mine.so")
         done("c++", *warnings, "-O2", "-shared", "-fPIC", "-DAXISCERT_FORMULAE_EXACT", include, source, "-o", self.folder / "mine-exact.so", "-lgmp")
@@ -171,9 +170,9 @@ class Examples(unittest.TestCase):
             self.assertIn("binary32 binary64", listed)
             self.assertEqual("in exact arithmetic" in listed, name == "mine-exact")
 
-    @unittest.skipUnless("certified" in EXAMPLE_KERNELS, "the library is sanitized")
+    @unittest.skipUnless("certified_plugin" in EXAMPLE_KERNELS, "the library is sanitized")
     def test_the_library_is_exact_as_a_plugin_too(self):
-        own = f"plugin:{self.plugins['certified']}"
+        own = f"plugin:{self.plugins['certified_plugin']}"
         record = self.judged(own, families=("all",), options=("--require", "exact"))
         self.assertEqual(record["findings"], [])
         self.assertEqual({kernel["precision"] for kernel in record["kernels"]}, {"binary32", "binary64"})
@@ -181,12 +180,12 @@ class Examples(unittest.TestCase):
 
     def test_a_fault_in_the_one_query_example_is_found(self):
         source = self.folder / "faulty"
-        shutil.copytree(EXAMPLES / "c", source)
+        shutil.copytree(EXAMPLES, source)
         text = (source / "my_kernel.c").read_text()
         faulty = text.replace("ca = to_segment(C, A)", "ca = to_segment(B, A)")
         self.assertNotEqual(text, faulty)
         (source / "my_kernel.c").write_text(faulty)
-        own = f"plugin:{self.built(source)}"
+        own = f"plugin:{self.built(source)['my_kernel']}"
         verdict = family(self.judged(own, families=("lattice",)), "lattice", kernel=own)["verdict"]
         self.assertGreater(verdict["false_separation"], 0)
 
@@ -202,12 +201,12 @@ class Examples(unittest.TestCase):
     def test_contraction_is_off_unless_asked_for(self):
         """g++ fuses a * b + c by default where the target can."""
         source = self.folder / "contracted"
-        shutil.copytree(EXAMPLES / "c", source)
+        shutil.copytree(EXAMPLES, source)
         lists = (source / "CMakeLists.txt").read_text()
         fused = {}
         for name, option in (("off", "-mfma"), ("fast", "-mfma -ffp-contract=fast")):
             (source / "CMakeLists.txt").write_text(f"{lists}target_compile_options(my_kernel PRIVATE {option})\n")
-            fused[name] = "vfmadd" in done("objdump", "-d", self.built(source))
+            fused[name] = "vfmadd" in done("objdump", "-d", self.built(source)["my_kernel"])
         self.assertEqual(fused, {"off": False, "fast": True})
 
 

@@ -7,7 +7,7 @@ import unittest
 
 from command import ROOT, Case, axiscert
 
-SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
+SOURCE = (ROOT / "examples/plugin/my_kernel.c").read_text()
 # A motion's first time by bisection of its distance from the triangle, late by a centimetre of the way.
 LATE = """
 #include "axiscert/plugin.h"

@@ -10,7 +10,7 @@ import unittest
 from command import BUILD, REPORTS, ROOT, SCHEMAS, VALIDATE, Case, axiscert
 
 PLAN = ["--family", "general", "--trials", "2000", "--precision", "binary32"]
-SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
+SOURCE = (ROOT / "examples/plugin/my_kernel.c").read_text()
 COMPARISON = "return squared > r * r ?"
 PLUGIN = 'AXISCERT_PLUGIN(float, "my-kernel", my_kernel)'
 assert COMPARISON in SOURCE and PLUGIN in SOURCE
@@ -173,7 +173,7 @@ class NotJudged(GatesCase):
     def test_a_kernel_that_cannot_be_loaded_is_never_a_pass(self):
         text = self.folder / "text.so"
         text.write_text("no shared object\n")
-        for kernel in (text, *(BUILD / f"misdeclared/{name}.so" for name in ("no_symbol", "wrong_abi", "unknown_predicate"))):
+        for kernel in (text, *(BUILD / f"declarations/{name}.so" for name in ("no_symbol", "wrong_abi", "unknown_predicate"))):
             for beside in ((), ("published",)):
                 with self.subTest(kernel=kernel, beside=beside):
                     done = self.judged("out", f"plugin:{kernel}", *beside)
@@ -250,7 +250,7 @@ class NotJudged(GatesCase):
 class CodeScanning(GatesCase):
     def results(self, out="new"):
         sarif = self.folder / out / "report.sarif"
-        self.assertEqual(validate(REPORTS / "testdata/sarif-2.1.0-rtm.5.json", sarif).stderr, "")
+        self.assertEqual(validate(REPORTS / "testing/sarif-2.1.0-rtm.5.json", sarif).stderr, "")
         return json.loads(sarif.read_text())["runs"][0]["results"]
 
     def test_what_is_accepted_is_suppressed(self):
@@ -296,7 +296,7 @@ class CodeScanning(GatesCase):
         junit = (self.folder / "base/junit.xml").read_text()
         self.assertEqual(re.findall(r'<testcase [^>]*name="([^"]*)"', junit), ["general verdict", "comparisons"])
         self.assertIn("NOT CHECKED: the kernel shows only verdicts", junit)
-        done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testdata/junit.xsd", self.folder / "base/junit.xml"],
+        done = subprocess.run(["xmllint", "--noout", "--schema", REPORTS / "testing/junit.xsd", self.folder / "base/junit.xml"],
                               capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
 

@@ -65,7 +65,7 @@ class Kernels(Case):
         listed = self.listed()
         ids, arithmetics = [k["id"] for k in listed], [c["arithmetic"] for c in listed[0]["arithmetics"]]
         for first, expected, registry in (("kernel", ids, "kernel/sphere_triangle/kernels.cpp"),
-                                          ("arithmetic", arithmetics, "kernel/arithmetic/arithmetic_list.h")):
+                                          ("arithmetic", arithmetics, "kernel/base/arithmetic_list.h")):
             found = {header: names for header, names in named.items() if header[0] == first}
             self.assertEqual(len(found), 1, f"docs/kernels.md: tables whose first column is '{first}'")
             for header, names in found.items():

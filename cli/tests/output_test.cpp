@@ -6,8 +6,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "cli/running/check_output.h"
-#include "cli/running/run_output.h"
+#include "cli/commands/check_output.h"
+#include "cli/commands/run_output.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/folders.h"

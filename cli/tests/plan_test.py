@@ -229,7 +229,7 @@ class Shards(PlanCase):
 
 
 def entries(journal):
-    """Offset, head and content of each entry, read by the format in fuzz/campaign/parts/journal.h."""
+    """Offset, head and content of each entry, read by the format in fuzz/campaign/journal.h."""
     offset = journal.index(b"\n") + 1
     while offset < len(journal):
         length = int.from_bytes(journal[offset:offset + 4], "little")

@@ -108,7 +108,7 @@ class Plugins(Case):
             self.assertIn(id.split("/")[-1], text)
 
     def test_a_finding_fails_every_requirement(self):
-        for name in ("misbehaving/random", "misdeclared/wrong_abi"):
+        for name in ("misbehaving/random", "declarations/wrong_abi"):
             for level in ("logic", "range", "conservative=1"):
                 done = axiscert("run", "--kernel", f"plugin:{BUILD}/{name}.so", "--family", "general",
                                 "--trials", "2000", "--require", level, "--out", self.folder / "out")
@@ -158,19 +158,19 @@ class Plugins(Case):
 
     def test_one_kernel_is_listed_with_its_test_and_its_source(self):
         for id, source in (("fault/none", "kernel/sphere_triangle/faults/none.c:1"),
-                           (f"plugin:{BUILD}/layouts/short_kernel.so", None), ("published", None)):
+                           (f"plugin:{BUILD}/declarations/short_kernel.so", None), ("published", None)):
             (listed,) = json.loads(axiscert("kernels", "--kernel", id, "--format", "json").stdout)["kernels"]
             self.assertEqual((listed["id"], listed["predicate"], listed["entry"], listed["source"], listed["findings"]),
                              (id, "sphere-triangle", "vertices", source, []))
             text = axiscert("kernels", "--kernel", id).stdout
             self.assertIn("predicate sphere-triangle, entry vertices\n", text)
             self.assertEqual(f"source {source}\n" in text, source is not None, text)
-        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/misdeclared/unknown_predicate.so").stdout
+        refused = axiscert("kernels", "--kernel", f"plugin:{BUILD}/declarations/unknown_predicate.so").stdout
         self.assertIn("load: what it answers: unknown predicate 'sphere-cube'", refused)
         self.refused("kernels", "--kernel", "nosuch", says=["unknown kernel 'nosuch'"])
 
     def test_a_plugin_for_another_version_leaves_the_run_whole(self):
-        for name, number in (("layouts/abi_1", 1), ("layouts/abi_2", 2), ("misdeclared/wrong_abi", 4)):
+        for name, number in (("declarations/abi_1", 1), ("declarations/abi_2", 2), ("declarations/wrong_abi", 4)):
             record = self.run_ok("--kernel", f"plugin:{BUILD}/{name}.so", "--kernel", "published", "--family",
                                  "general", "--trials", "2000", code=1)
             (finding,) = record["findings"]

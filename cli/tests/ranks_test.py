@@ -8,7 +8,7 @@ import time
 import unittest
 
 from command import BUILD, ROOT
-from moving_sphere.motion_records_test import MOTIONS
+from predicates.motion_records_test import MOTIONS
 from plan_case import PlanCase
 
 # For root, and for more ranks than cores, which Open MPI refuses to start otherwise.
@@ -63,7 +63,7 @@ class Ranks(MpiCase):
         self.assertIn("not a plan", self.mpi_ok(2, "--out", self.folder / "out", code=2))
 
     def test_the_job_scripts(self):
-        scripts = ROOT / "examples/scale"
+        scripts = ROOT / "examples"
         environment = os.environ | MPI | {"PATH": f"{BUILD}:{os.environ['PATH']}", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
         run = lambda script, **more: subprocess.run(["bash", scripts / script], cwd=self.folder, env=environment | more,
                                                     check=True, capture_output=True)

@@ -7,7 +7,7 @@ import unittest
 from command import ROOT, Case, axiscert
 
 PLAN = ["--family", "general", "--trials", "2000", "--precision", "binary32"]
-SOURCE = (ROOT / "examples/plugin/c/my_kernel.c").read_text()
+SOURCE = (ROOT / "examples/plugin/my_kernel.c").read_text()
 COMPARISON = "return squared > r * r ?"
 assert COMPARISON in SOURCE
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/running/certify.h"
+#include "cli/commands/certify.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/error.h"
 #include "kernel/base/folders.h"

@@ -65,7 +65,7 @@ class Units(Case):
         self.assertEqual(self.judged(kernel, "--require", "invariant=mirror", families=families).returncode, 0)
 
     def test_right_kernels_in_other_orders_and_precisions_are_not_refused(self):
-        source = ROOT / "examples/plugin/c/my_kernel.c"
+        source = ROOT / "examples/plugin/my_kernel.c"
         # All that -ffast-math allows to the compiler; linked with it, a library would flush subnormal numbers too.
         reordered = ["-O3", "-fassociative-math", "-freciprocal-math", "-fno-signed-zeros", "-fno-trapping-math"]
         for name, flags in (("plain", ["-O2", "-ffp-contract=off"]), ("reordered", reordered),

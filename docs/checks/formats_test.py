@@ -25,7 +25,7 @@ OTHERS = [("plug-in interface", "kernel/include/axiscert/plugin.h", r"#define AX
           ("stream of the pipe", "docs/pipe.md", r"^## Format, version (\d+)"),
           ("stream of the pipe", "docs/pipe.md", r"`version` \| (\d+), unsigned"),
           *(("stream of the pipe", f"examples/pipe/published.{kind}", r"version !==? (\d+)") for kind in ("c", "go", "mjs", "py", "rs")),
-          ("`certificate`, its predicateType", "reports/certificate/statement/certificate_data.h", r'"urn:axiscert:certificate:(\d+)"')]
+          ("`certificate`, its predicateType", "reports/certificate/certificate_data.h", r'"urn:axiscert:certificate:(\d+)"')]
 REFUSING = re.compile(r"_test\.(cpp|py)$|^cli/tests/|^fuzz/targets/seeds\.py$|^docs/checks/formats_test\.py$|^CHANGELOG\.md$")
 
 
@@ -82,7 +82,7 @@ class Formats(unittest.TestCase):
                                ("docs/ci.md", "axiscert-ratchet/", "axiscert-ratchet/1"), (PAGE, f"| `record` | {number} | 1 |", f"| `record` | {number} | 2 |"),
                                (PAGE, "| `record` |", "| `recording` |"), ("kernel/include/axiscert/plugin.h", "_ABI 3u", "_ABI 4u"),
                                ("examples/pipe/published.rs", "version != 3", "version != 2"), ("docs/pipe.md", "## Format, version 3", "## Format, version 2"),
-                               ("reports/testdata/record.json", f"axiscert-record/{number}", f"axiscert-record/{number - 1}")):
+                               ("reports/testing/record.json", f"axiscert-record/{number}", f"axiscert-record/{number - 1}")):
             with self.subTest(name + ": " + new):
                 self.assertIn(old, self.FILES[name])
                 self.assertTrue(faults({**self.FILES, name: self.FILES[name].replace(old, new)}))

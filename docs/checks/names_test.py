@@ -22,7 +22,7 @@ def sources():
     for layer in LAYERS:
         for path in (ROOT / layer).rglob("*"):
             name = path.relative_to(ROOT).as_posix()
-            if path.suffix in (".h", ".cpp") and not re.search(r"_(test|bench|target)\.cpp$|testing|/targets/|/bench/|/testdata/", name):
+            if path.suffix in (".h", ".cpp") and not re.search(r"_(test|bench|target)\.cpp$|testing|/targets/|/bench/", name):
                 found[name] = path.read_text()
     return found
 

@@ -1,7 +1,7 @@
 """predicates_test.py ROOT: generic code does not ask which predicate it has, and includes nothing of one's rooms.
 
 Generic is what lies outside the rooms of the predicates; tests, benchmarks and programs of the suite may name one. What a predicate has and
-another has not is data of its description or a capability (fuzz/queries/capabilities.h, exact/trait/oracles.h). The lists that name every
+another has not is data of its description or a capability (fuzz/queries/capabilities.h, exact/judge/oracles.h). The lists that name every
 predicate once expand kernel/predicate_list.h.
 
     predicates_test.py ROOT --list   prints every place that is counted
@@ -26,8 +26,8 @@ COMPARISONS = {}
 INCLUDES = {"kernel": 7, "fuzz": 16, "reports": 12, "plans": 1, "cli": 2}
 
 # Tests, what they share, and programs of the suite or for developers; in kernel/plugin also the plug-ins that its tests load.
-EXEMPT = re.compile(rf"_(test|bench)\.(cpp|h)$|testing|/(bench|targets|oracle_checks|peers|examples|testdata)/|(^|/)write_\w+\.cpp$"
-                    rf"|^kernel/plugin/(misbehaving|misdeclared|programs|promises|layouts)/|/({ROOM})/")
+EXEMPT = re.compile(rf"_(test|bench)\.(cpp|h)$|testing|/(bench|targets|oracle_checks|peers|examples)/|(^|/)write_\w+\.cpp$"
+                    rf"|^kernel/plugin/(misbehaving|declarations)/|/({ROOM})/")
 COMPARISON = re.compile(
     rf"\b(?:{NAMES})_predicate\(\)"              # a particular predicate, whatever is done with it
     r"|\bfirst_predicate\(\)|\bfirst_predicate\b(?=[;,)])|\bis_first_predicate\b|\bis_first\(\)"
@@ -90,16 +90,16 @@ class Predicates(unittest.TestCase):
                         "const bool own = &predicate == &first_predicate();", "  const Predicate& (*predicate)() = first_predicate;",
                         "if (subject.is_first_predicate()) return;", "return is_first() ? a : b;", "if (predicate.is_implied) return;",
                         'return predicate.id == "moving-sphere";', 'if ("box-triangle" != id) return;', 'find_predicate("box-box")'):
-            self.assertEqual(places({"fuzz/map/x.cpp": "\n" + planted}, COMPARISON), [("fuzz/map/x.cpp", 2, planted.strip())])
-        for planted in ('#include "exact/sphere_triangle/filters/cascade.h"', '#include "kernel/boxes/boxes.h"',
+            self.assertEqual(places({"fuzz/instruments/x.cpp": "\n" + planted}, COMPARISON), [("fuzz/instruments/x.cpp", 2, planted.strip())])
+        for planted in ('#include "exact/sphere_triangle/oracles/cascade.h"', '#include "kernel/boxes/boxes.h"',
                         '#include "fuzz/testing/point_box/point_box.h"', '# include <fuzz/moving_sphere/mesh_motion.h>'):
-            self.assertEqual(len(places({"fuzz/map/x.cpp": planted}, INCLUDE)), 1, planted)
+            self.assertEqual(len(places({"fuzz/instruments/x.cpp": planted}, INCLUDE)), 1, planted)
         self.assertEqual(too_many([("cli/x.cpp", 3, "y")], {"cli": 0}), ["cli: 1, at most 0", "  cli/x.cpp:3: y"])
 
     def test_what_is_no_comparison_is_not(self):
         for line in ('// as "sphere-triangle" == it says', 'const auto& predicate = find_predicate(name);', "bool is_first_call = true;",
                      '{"moving-sphere", of_moving_sphere},', "X(sphere_triangle)      \\"):
-            self.assertEqual(places({"fuzz/map/x.cpp": line}, COMPARISON), [])
+            self.assertEqual(places({"fuzz/instruments/x.cpp": line}, COMPARISON), [])
 
     def test_generic_code_is_read(self):
         read = generic()

@@ -2,7 +2,7 @@
 """Tables of docs/ whose figures are committed elsewhere, where a proof, a test or a lock file holds them, say the same here as there.
 
     docs/league.md    versions of the engines: kernel/peers/npm/package.json
-    docs/proofs.md    bounds and thresholds: proofs/coq/formulae/Thresholds.v, kernel/sphere_triangle/certified_filter/thresholds.h; theorems named
+    docs/proofs.md    bounds and thresholds: proofs/coq/formulae/Thresholds.v, kernel/sphere_triangle/forms/filter_thresholds.h; theorems named
                       beside the steps of the certified predicate: proofs/theorems.txt
                       how many faults ./dev prove --planted has: proofs/faults.py
     docs/bounds.md    bounds: proofs/bounds.cpp, which Gappa proves; errors attained: proofs/bounds.h, and these those of docs/search.md
@@ -83,7 +83,7 @@ class Records(unittest.TestCase):
     def test_bounds_of_the_theory(self):
         rows = table("docs/proofs.md", "| comparison | degree | bound, plain |")
         self.assertEqual([[row[0], *row[2:4]] for row in rows], thresholds_rows())
-        filters = set(numbers(text_of("kernel/sphere_triangle/certified_filter/thresholds.h")))
+        filters = set(numbers(text_of("kernel/sphere_triangle/forms/filter_thresholds.h")))
         for row in rows:
             self.assertGreater(int(row[4]), float(row[2]), row)
             self.assertLessEqual(int(row[4]), math.ceil(float(row[2])) + 2, row)

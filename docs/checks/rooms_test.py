@@ -168,9 +168,9 @@ class Theory(unittest.TestCase):
         self.assertEqual(imports_upward(texts, orders()), [])
 
     def test_a_planted_import_is_seen(self):
-        file, line = "proofs/coq/floats/Run.v", "From Axiscert Require Import Format\n  Filter.\n"
+        file, line = "proofs/coq/numbers/Run.v", "From Axiscert Require Import Format\n  Filter.\n"
         self.assertEqual(imports_upward({path: line if path == file else "" for path in theory()}, orders()),
-                         [f"{file} imports proofs/coq/formulae/Filter.v: {ORDER} has proofs/coq/floats before proofs/coq/formulae"])
+                         [f"{file} imports proofs/coq/formulae/Filter.v: {ORDER} has proofs/coq/numbers before proofs/coq/formulae"])
 
     def test_no_two_files_have_the_same_name(self):
         names = [Path(file).name for file in theory()]

@@ -19,7 +19,7 @@ HOMONYMS = {
     "scaled": "a domain of bounds", "start": "of an alignment of labels", "stack": "a look of the page", "tie": "a bin of margins",
     "touching": "of a truth",
 }
-EXEMPT = re.compile(r"_test\.(cpp|mjs|py)$|_target\.cpp$|/(testing|testdata|browser)/|_scene\.js$")
+EXEMPT = re.compile(r"_test\.(cpp|mjs|py)$|_target\.cpp$|/(testing|browser)/|_scene\.js$")
 # A comparison with a name is knowledge of it even where it is a homonym.
 COMPARED = re.compile(r"\b(level|asked\.name|family|predicate)\b(?:\.name)?\s*[!=]==?\s*[\"'`]([\w-]+)[\"'`]")
 KIND_OF = {"level": "level", "asked.name": "level", "family": "family", "predicate": "predicate"}
@@ -34,7 +34,7 @@ def names():
     """The names of each kind, as the definitions have them."""
     def found(pattern, regex):
         return {name for text in texts(pattern) for name in re.findall(regex, text, re.MULTILINE)}
-    families = found("fuzz/*/families/families.cpp", r"^  X\((\w+)\)")
+    families = found("fuzz/**/families.cpp", r"^  X\((\w+)\)")
     return {
         "family": families | {name.replace("_", "-") for name in families},
         "level": found("reports/gates/*_level.cpp", r'(?:\.usage = |_level = \{\s*)"([\w-]+)'),

@@ -10,7 +10,7 @@
 
 #include "exact/boxes/measures.h"
 #include "exact/boxes/clipping.h"
-#include "exact/trait/trait.h"
+#include "exact/judge/trait.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert::boxes {

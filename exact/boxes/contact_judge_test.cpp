@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "exact/boxes/boxes_testing.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "kernel/boxes/contact.h"
 
 namespace axiscert::boxes {

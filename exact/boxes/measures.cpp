@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "exact/numbers/binary_fraction.h"
-#include "exact/trait/trait.h"
+#include "exact/judge/trait.h"
 
 namespace axiscert::boxes {
 namespace {

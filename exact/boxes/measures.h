@@ -9,7 +9,7 @@
 #include "exact/boxes/nearest.h"
 #include "exact/boxes/scaled.h"
 #include "exact/judge/depth.h"
-#include "exact/trait/exact_facts.h"
+#include "exact/judge/exact_facts.h"
 #include "kernel/boxes/thirteen.h"
 
 namespace axiscert::boxes {

@@ -1,6 +1,6 @@
 #include "exact/boxes/trait.h"
 #include "exact/boxes/triangle_trait.h"
-#include "exact/trait/oracles_of.h"
+#include "exact/judge/oracles_of.h"
 
 namespace axiscert {
 template class OraclesOf<boxes::MatrixTrait>;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 
 namespace axiscert {
 namespace {

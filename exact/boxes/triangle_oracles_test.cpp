@@ -6,7 +6,7 @@
 
 #include "exact/boxes/boxes_testing.h"
 #include "exact/boxes/triangle_trait.h"
-#include "exact/trait/oracles_of.h"
+#include "exact/judge/oracles_of.h"
 
 namespace axiscert::boxes {
 namespace {

@@ -10,8 +10,8 @@
 #include "exact/boxes/contact_judge.h"
 #include "exact/boxes/truth.h"
 #include "exact/boxes/measures.h"
-#include "exact/trait/oracles.h"
-#include "exact/trait/trait.h"
+#include "exact/judge/oracles.h"
+#include "exact/judge/trait.h"
 #include "kernel/boxes/akenine_moller.h"
 
 namespace axiscert::boxes {

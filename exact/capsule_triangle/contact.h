@@ -9,7 +9,7 @@
 #include "exact/boxes/contact.h"
 #include "exact/judge/depth.h"
 #include "exact/moving_sphere/motion_distance.h"
-#include "exact/trait/exact_facts.h"
+#include "exact/judge/exact_facts.h"
 
 namespace axiscert::capsule {
 

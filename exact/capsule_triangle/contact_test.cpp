@@ -9,7 +9,7 @@
 #include <numbers>
 #include <span>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "kernel/boxes/names.h"
 #include "kernel/capsule_triangle/capsule.h"
 #include "kernel/capsule_triangle/contact.h"

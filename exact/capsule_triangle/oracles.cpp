@@ -3,7 +3,7 @@
 #include "exact/boxes/contact_judge.h"
 #include "exact/capsule_triangle/contact.h"
 #include "exact/moving_sphere/trait.h"
-#include "exact/trait/oracles_of.h"
+#include "exact/judge/oracles_of.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {

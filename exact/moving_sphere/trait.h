@@ -13,9 +13,9 @@
 #include "exact/moving_sphere/motion_judge.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/trait/clear.h"
-#include "exact/trait/oracles.h"
-#include "exact/trait/trait.h"
+#include "exact/judge/clear.h"
+#include "exact/judge/oracles.h"
+#include "exact/judge/trait.h"
 #include "kernel/moving_sphere/twenty.h"
 
 namespace axiscert::moving_sphere {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "kernel/arithmetic/error_free.h"
+#include "kernel/base/error_free.h"
 
 namespace axiscert {
 

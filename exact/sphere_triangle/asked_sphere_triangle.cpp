@@ -5,9 +5,9 @@
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

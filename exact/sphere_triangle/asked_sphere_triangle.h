@@ -7,7 +7,7 @@
 
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/include/axiscert/certified.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 #include "kernel/kernel.h"
 
 namespace axiscert::character {

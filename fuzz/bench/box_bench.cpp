@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/family.h"
 #include "kernel/boxes/boxes.h"
 #include "kernel/kernel.h"

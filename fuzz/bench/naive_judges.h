@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/sphere_triangle/filters/signs.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "exact/sphere_triangle/oracles/signs.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 
 namespace axiscert {
 

@@ -1,9 +1,9 @@
 // The cost that the journal adds to a unit: compare `unit` with `entry`.
 #include <benchmark/benchmark.h>
 
-#include "fuzz/campaign/parts/gathered.h"
-#include "fuzz/campaign/parts/journal.h"
-#include "fuzz/campaign/parts/stretch_testing.h"
+#include "fuzz/campaign/gathered.h"
+#include "fuzz/campaign/journal.h"
+#include "fuzz/campaign/stretch_testing.h"
 #include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -5,9 +5,9 @@
 
 #include "exact/boxes/measures.h"
 #include "fuzz/boxes/capability_parts.h"
-#include "fuzz/boxes/families/situations.h"
+#include "fuzz/boxes/situations.h"
 #include "fuzz/diagnosis/scenes.h"
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/sphere_triangle/mesh_queries.h"
 #include "kernel/boxes/box_triangle.h"
@@ -214,7 +214,7 @@ std::span<const ContactLikeness* const> box_triangle_contact_likenesses() {
 
 namespace axiscert {
 
-// families/clear_boxes.cpp, families/clear_triangles.cpp
+// clear_boxes.cpp, clear_triangles.cpp
 std::span<const ImageGroup* const> box_box_image_groups();
 std::span<const ImageGroup* const> box_triangle_image_groups();
 

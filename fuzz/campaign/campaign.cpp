@@ -11,7 +11,7 @@
 
 #include "fuzz/campaign/machine.h"
 #include "fuzz/campaign/unit.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/queries/capabilities.h"
 #include "kernel/base/stopwatch.h"
 

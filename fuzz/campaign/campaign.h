@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "exact/trait/batch_oracle.h"
+#include "exact/judge/batch_oracle.h"
 #include "fuzz/campaign/progress.h"
-#include "fuzz/pipe/streams.h"
+#include "fuzz/files/streams.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/record/tally.h"
 #include "kernel/kernel.h"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
-#include "kernel/sphere_triangle/reference/contracted.h"
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/contracted.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -9,8 +9,8 @@
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/json_form.h"
+#include "fuzz/text/merge.h"
 #include "kernel/moving_sphere/names.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/record/contact_tally.h"
 #include "kernel/ask.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact/capsule_triangle/contact.h"
-#include "fuzz/capsule_triangle/families/situations.h"
+#include "fuzz/capsule_triangle/situations.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/confirm/image_numbers.h"
 #include "kernel/ask.h"
 #include "kernel/query.h"

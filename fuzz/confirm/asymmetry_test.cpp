@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/boxes/projected.h"
 #include "kernel/kernel.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 
 namespace axiscert {
 namespace {

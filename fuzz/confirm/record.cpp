@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/campaign/parts/stretch.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/nearest_kernel.h"
 #include "fuzz/confirm/witness.h"
-#include "fuzz/fields/json_form.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/json_form.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"
-#include "fuzz/slack/slack.h"
+#include "fuzz/confirm/slack.h"
 #include "kernel/base/error.h"
 #include "kernel/base/version.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/fields/json_form.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"

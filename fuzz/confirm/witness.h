@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/record/witness_record.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/fields/json_form.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/family.h"
 
 namespace axiscert {

@@ -11,7 +11,7 @@
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/text/json.h"
-#include "kernel/testing/planted_contacts.h"
+#include "kernel/planted_contacts_testing.h"
 
 namespace axiscert::diagnosis {
 namespace {

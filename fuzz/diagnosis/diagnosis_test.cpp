@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "fuzz/diagnosis/kernel_table_testing.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "kernel/ask.h"
@@ -106,11 +106,11 @@ TEST(Diagnosis, HasTwentyKernelsOfEachKindAndEveryValue) {
   for (const PropertyKind& kind : property_kinds()) {
     if (kind.name == "overlap_at_start") continue;  // of motions: other_predicates_test.cpp
     static const std::set<std::string_view> held_elsewhere = {
-        "slack",  // fuzz/slack/slack_test.cpp
-                  // fuzz/causes/causes_test.cpp, cli/tests/cause_test.py
+        "slack",  // fuzz/confirm/slack_test.cpp
+                  // fuzz/confirm/causes_test.cpp, cli/tests/cause_test.py
         "regions", "on_triangle", "obtuse", "parallel", "flat", "aligned",
         "evaluation",  // evaluation_test.cpp
-        // contacts_test.cpp, cli/tests/box_contacts_test.py
+        // contacts_test.cpp, cli/tests/predicates/box_contacts_test.py
         "separation", "normal", "feature", "contact_point"};
     if (held_elsewhere.contains(kind.name)) continue;
     for (const std::string_view value : kind.values) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/record/wrong_verdicts.h"
 #include "kernel/ask.h"

@@ -1,7 +1,7 @@
 // Whether the kernel answers as if a shape or a motion were a little larger, or smaller, than it is.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/diagnosis/probes.h"
-#include "fuzz/slack/slack.h"
+#include "fuzz/confirm/slack.h"
 
 namespace axiscert::diagnosis {
 

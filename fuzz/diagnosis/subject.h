@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/record/looked_at.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/files/query_file.h"

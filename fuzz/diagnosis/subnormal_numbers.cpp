@@ -5,7 +5,7 @@
 
 #include "fuzz/diagnosis/probes.h"
 #include "fuzz/diagnosis/scenes.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/registry/called.h"
 
 namespace axiscert::diagnosis {

@@ -8,8 +8,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/fields/json_form.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_line.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"

@@ -17,7 +17,7 @@
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/testing/queries.h"
+#include "kernel/queries_testing.h"
 
 namespace axiscert {
 

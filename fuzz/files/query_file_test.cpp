@@ -16,7 +16,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/folders.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/testing/queries.h"
+#include "kernel/queries_testing.h"
 
 namespace axiscert {
 namespace {

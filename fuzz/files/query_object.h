@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "exact/trait/oracles.h"
-#include "fuzz/fields/json_form.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/text/json.h"
 
@@ -29,7 +29,7 @@ inline StoredLine stored_line(const StoredQuery& stored) {
   return read_as<StoredLine>(Json::parse(query_line(stored)));
 }
 
-// The details that a predicate's oracles know of a query beside its verdict (exact/trait/oracles.h), as query lines
+// The details that a predicate's oracles know of a query beside its verdict (exact/judge/oracles.h), as query lines
 // have them.
 
 // A number as query lines have it, a name, an array of names; null where the query has none.

@@ -11,7 +11,7 @@
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/random.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/testing/queries.h"
+#include "kernel/queries_testing.h"
 
 namespace axiscert {
 namespace {

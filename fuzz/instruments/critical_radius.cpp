@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/trait/critical_radius.h"
-#include "exact/trait/oracles.h"
-#include "fuzz/fields/merge.h"
+#include "exact/judge/critical_radius.h"
+#include "exact/judge/oracles.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/queries/source.h"

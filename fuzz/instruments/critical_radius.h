@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {
 
-// Kernels and sources are of one predicate, whose answer turns at a critical length (exact/trait/oracles.h).
+// Kernels and sources are of one predicate, whose answer turns at a critical length (exact/judge/oracles.h).
 struct CriticalRadiusPlan {
   std::vector<const Kernel*> kernels;
   std::vector<SourcePtr> sources;

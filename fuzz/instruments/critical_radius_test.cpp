@@ -6,7 +6,7 @@
 
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/queries/family.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/moving_sphere/moving_sphere.h"

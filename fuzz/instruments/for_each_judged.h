@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/campaign/progress.h"
 #include "fuzz/queries/source.h"
 #include "kernel/ask.h"

@@ -3,13 +3,13 @@
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/capability_parts.h"
-#include "fuzz/moving_sphere/families/situations.h"
+#include "fuzz/moving_sphere/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {
 
-std::span<const ImageGroup* const> moving_sphere_image_groups();  // families/images.cpp
+std::span<const ImageGroup* const> moving_sphere_image_groups();  // images.cpp
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "fuzz/confirm/absolute_size.h"
 #include "fuzz/queries/capabilities.h"
-#include "fuzz/slack/scenes.h"
+#include "fuzz/confirm/slack_scenes.h"
 
 namespace axiscert::moving_sphere {
 

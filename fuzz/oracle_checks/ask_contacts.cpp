@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/sphere_triangle/certified/contact_truth.h"
+#include "exact/sphere_triangle/certified_contact_truth.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
 #include "kernel/ask.h"

@@ -1,7 +1,7 @@
 // The numbers of contacts over every family and a mesh, within their bounds of the exact ones.
 #include <gtest/gtest.h>
 
-#include "exact/sphere_triangle/certified/contact_truth.h"
+#include "exact/sphere_triangle/certified_contact_truth.h"
 #include "fuzz/queries/source.h"
 #include "kernel/include/axiscert/contact.hpp"
 #include "kernel/sphere_triangle/query.h"

@@ -7,8 +7,8 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/queries/family_testing.h"
-#include "kernel/sphere_triangle/reference/contracted.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/contracted.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

@@ -1,6 +1,6 @@
 // R-infinity of binary32 on the processor equals MPFR's at 24 bits, for queries that leave the range and for queries
 // that depend on roundings.
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 
 #include <cmath>
 #include <limits>

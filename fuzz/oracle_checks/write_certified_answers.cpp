@@ -13,7 +13,7 @@
 #include "kernel/sphere_triangle/certified/tests/stored_answers.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

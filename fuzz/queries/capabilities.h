@@ -38,7 +38,7 @@ struct NearestFeatures {
 };
 
 // What the exact answer says of a query, by definitions of its predicate's own: with a class of them a cause is named
-// (fuzz/causes).
+// (fuzz/confirm).
 
 // One of them. The phrase follows the noun of its queries: "spheres", and "nearest to vertex a". Where a property of a
 // diagnosis asks about it, that property is named. A narrow trait has one axis of many, of which a wider trait has all.
@@ -94,7 +94,7 @@ struct DiagnosisScenes;
 
 struct Capabilities {
   std::span<const ImageGroup* const> image_groups = {};         // fuzz/queries/image_groups.h: families of images
-  const MeshQueries* mesh = nullptr;                            // fuzz/meshes/mesh.h: queries for a mesh
+  const MeshQueries* mesh = nullptr;                            // fuzz/files/mesh.h: queries for a mesh
   std::string (*canonical_form)(const StoredQuery&) = nullptr;  // fuzz/files/corpus.h: of all images of a query
 
   const Screens* screens = nullptr;                   // fuzz/campaign/unit.h: of a predicate with filters
@@ -108,17 +108,17 @@ struct Capabilities {
   std::string_view section_of_forms = {};
   const Situations* situations = nullptr;  // fuzz/queries/family.h
 
-  std::span<const std::string_view> correct_forms = {};          // kernels that are right over the reals: fuzz/mutation
-  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;  // fuzz/diagnosis/scenes.h
+  std::span<const std::string_view> correct_forms = {};  // kernels that are right over the reals: fuzz/instruments
+  const diagnosis::DiagnosisScenes* diagnosis_scenes = nullptr;      // fuzz/diagnosis/scenes.h
   const CriticalRadiusDefaults* critical_radius_defaults = nullptr;  // fuzz/instruments/critical_radius.h
   const ProvedBounds* proved_bounds = nullptr;                       // fuzz/search/confirm.h
   const SearchMethod* search_method = nullptr;                       // fuzz/search/method.h
   const AimValues* aim_values = nullptr;                             // fuzz/search/confirm.h
   const ImageMaps* image_maps = nullptr;                             // fuzz/shrink/pair.h
-  const SlackScenes* slack_scenes = nullptr;                         // fuzz/slack/scenes.h
+  const SlackScenes* slack_scenes = nullptr;                         // fuzz/confirm/slack_scenes.h
   const Traits* traits = nullptr;                                    // above
   std::span<const ContactLikeness* const> contact_likenesses = {};   // above
-  // exact/trait/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
+  // exact/judge/exact_facts.h: what there is to tell of a valid query in an entry; a float widens exactly.
   std::vector<ExactFact> (*exact_facts)(const Numbers<double>& query, std::size_t entry) = nullptr;
 };
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "exact/trait/oracles.h"
-#include "exact/trait/rough_number.h"
+#include "exact/judge/oracles.h"
+#include "exact/judge/rough_number.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/ask.h"
 #include "kernel/kernel.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fuzz/queries/digest.h"
-#include "kernel/testing/sources.h"
+#include "kernel/sources_testing.h"
 
 namespace axiscert {
 // Fails where the lines of the predicate's families in the file, a path in the repository, are not those of

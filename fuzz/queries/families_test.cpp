@@ -15,8 +15,8 @@
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/testing/sources.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/sources_testing.h"
 
 namespace axiscert {
 namespace {

@@ -13,7 +13,7 @@
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "fuzz/sphere_triangle/families/parts/lattice_bounds.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

@@ -80,7 +80,7 @@ class Source {
 using SourcePtr = std::shared_ptr<const Source>;
 
 SourcePtr family_source(const Family& family);  // in fuzz/queries/family.cpp
-// Defined in fuzz/meshes/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
+// Defined in fuzz/files/mesh.cpp: any format that assimp reads. Throws Error with the file and its fault, or for a
 // predicate that is not one of mesh_predicates().
 SourcePtr mesh_source(const std::string& path, const Predicate& predicate);
 // The predicates of which a mesh has queries.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/witness_record.h"
 #include "kernel/base/enums.h"
 #include "kernel/names.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "exact/judge/contact_judgement.h"
-#include "fuzz/fields/field.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/wrong_verdicts.h"
 #include "kernel/predicate.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fuzz/campaign/parts/stretch.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/campaign/stretch.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 
 namespace axiscert {

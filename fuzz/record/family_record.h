@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fuzz/record/tally.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {

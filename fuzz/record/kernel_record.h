@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/cause_record.h"
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"

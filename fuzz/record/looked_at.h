@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/record/tally.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/query_shape.h"
 #include "kernel/kernel.h"

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "exact/trait/side_error.h"
-#include "fuzz/fields/json_form.h"
+#include "exact/judge/side_error.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/record/tally.h"
 
 namespace axiscert {

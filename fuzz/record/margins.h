@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {

@@ -1,5 +1,5 @@
 // Margins: the exponents are those of rational arithmetic, and no finite comparison is wrong above its largest error.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/record/margins.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 
 namespace axiscert {
 

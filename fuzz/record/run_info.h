@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/trait/batch_oracle.h"
-#include "fuzz/fields/values.h"
+#include "exact/judge/batch_oracle.h"
+#include "fuzz/text/values.h"
 #include "kernel/names.h"
 
 namespace axiscert {

@@ -3,10 +3,10 @@
 #include <bit>
 #include <cmath>
 
-#include "exact/trait/oracles.h"
-#include "exact/trait/side_error.h"
-#include "fuzz/fields/json_form.h"
-#include "fuzz/fields/merge.h"
+#include "exact/judge/oracles.h"
+#include "exact/judge/side_error.h"
+#include "fuzz/text/json_form.h"
+#include "fuzz/text/merge.h"
 
 namespace axiscert {
 namespace {

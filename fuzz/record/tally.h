@@ -10,8 +10,8 @@
 
 #include "exact/judge/judge.h"
 #include "exact/numbers/rational.h"
-#include "fuzz/fields/field.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/contact_tally.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
@@ -20,7 +20,7 @@
 
 namespace axiscert {
 
-// Answers to clear queries: those that no right method of the precision gets wrong (exact/trait/clear.h).
+// Answers to clear queries: those that no right method of the precision gets wrong (exact/judge/clear.h).
 
 // Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
 struct ClearTally {

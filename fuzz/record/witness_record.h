@@ -10,7 +10,7 @@
 #include "exact/judge/judge.h"
 #include "exact/judge/contact_judgement.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "kernel/outcome.h"
 #include "kernel/names.h"
 

@@ -11,8 +11,8 @@
 #include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "fuzz/fields/field.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/leaders.h"
 #include "kernel/kernel.h"
 

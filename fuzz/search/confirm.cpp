@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/search/numbers.h"
 #include "kernel/ask.h"

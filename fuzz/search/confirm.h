@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "exact/numbers/rational.h"
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/search/method.h"
 #include "kernel/kernel.h"

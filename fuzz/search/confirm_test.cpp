@@ -11,7 +11,7 @@
 #include "fuzz/search/search.h"
 #include "fuzz/sphere_triangle/search_evaluator.h"
 #include "fuzz/sphere_triangle/search_ranges.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

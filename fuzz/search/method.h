@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/query_shape.h"
 #include "fuzz/record/measure_fault.h"
 #include "fuzz/search/moves.h"

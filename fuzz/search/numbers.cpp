@@ -1,6 +1,6 @@
 #include "fuzz/search/numbers.h"
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/search/moves.h"
 
 namespace axiscert {

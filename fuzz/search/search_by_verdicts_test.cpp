@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "exact/boxes/cofactor_bound.h"
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/absolute_size.h"
 #include "fuzz/queries/capabilities.h"

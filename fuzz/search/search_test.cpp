@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/search/confirm.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

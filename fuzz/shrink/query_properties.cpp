@@ -7,7 +7,7 @@
 
 #include "exact/numbers/input_scale.h"
 #include "exact/numbers/rational.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/capabilities.h"
 
 namespace axiscert {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "fuzz/queries/random.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/shrink/shrink_moves.h"
 #include "kernel/base/error.h"
 

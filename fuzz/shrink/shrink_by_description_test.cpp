@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/shrink/shrink.h"
 #include "fuzz/shrink/shrink_moves.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 
 namespace axiscert {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <variant>
 
-#include "exact/trait/examine.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/examine.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/record/measure_fault.h"
 #include "fuzz/shrink/query_properties.h"
 #include "kernel/ask.h"

@@ -12,7 +12,7 @@
 #include "exact/sphere_triangle/measures/nearest_place.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "fuzz/confirm/witness.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/text/number_text.h"

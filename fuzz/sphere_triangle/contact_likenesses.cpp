@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernel/base/geometry.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert {
 namespace {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/trait/side_error.h"
-#include "exact/sphere_triangle/filters/vertex_sides.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "exact/judge/side_error.h"
+#include "exact/sphere_triangle/oracles/vertex_sides.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {

@@ -6,9 +6,9 @@
 #include <bit>
 #include <cmath>
 
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "kernel/formulae_list.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 void CleanCount::add_ties(ComparisonBits ties) {

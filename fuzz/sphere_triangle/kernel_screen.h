@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "exact/sphere_triangle/filters/signs.h"
-#include "exact/sphere_triangle/unbounded/reference_batch.h"
+#include "exact/sphere_triangle/oracles/signs.h"
+#include "exact/sphere_triangle/reference_batch.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/record/tally.h"
 #include "fuzz/sphere_triangle/error_watch.h"

@@ -1,7 +1,7 @@
 // Spheres placed about the triangles of a mesh.
 #pragma once
 
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 
 namespace axiscert {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "exact/sphere_triangle/filters/cascade.h"
+#include "exact/sphere_triangle/oracles/cascade.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/sphere_triangle/kernel_screen.h"
 

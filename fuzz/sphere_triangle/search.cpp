@@ -9,7 +9,7 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/search_evaluator.h"
 #include "fuzz/sphere_triangle/search_ranges.h"
@@ -17,7 +17,7 @@
 #include "kernel/formulae_list.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/sphere_triangle/proved_bounds.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

@@ -12,9 +12,9 @@
 #include "fuzz/search/moves.h"
 #include "fuzz/sphere_triangle/search_ranges.h"
 #include "kernel/formulae_list.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 
 namespace axiscert {
 namespace {

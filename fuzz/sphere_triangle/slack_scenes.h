@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "fuzz/queries/random.h"
-#include "fuzz/slack/scenes.h"
+#include "fuzz/confirm/slack_scenes.h"
 
 namespace axiscert {
 

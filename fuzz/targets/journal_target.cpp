@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/campaign/parts/gathered.h"
-#include "fuzz/campaign/parts/journal.h"
+#include "fuzz/campaign/gathered.h"
+#include "fuzz/campaign/journal.h"
 #include "fuzz/targets/target.h"
 #include "kernel/sphere_triangle/query.h"
 

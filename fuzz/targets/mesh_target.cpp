@@ -9,7 +9,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "fuzz/meshes/mesh.h"
+#include "fuzz/files/mesh.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/random.h"
 #include "fuzz/queries/source.h"

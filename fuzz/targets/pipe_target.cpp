@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "fuzz/text/file_bytes.h"
-#include "fuzz/pipe/streams.h"
+#include "fuzz/files/streams.h"
 #include "fuzz/text/json.h"
 #include "kernel/base/sha256.h"
 #include "fuzz/targets/json_mutator.h"

@@ -122,7 +122,7 @@ def seeds(source):
     result["certificate"] = [one + b"\n" for one in whole] + [canonical(sealed) + b"\n", whole[0][:-40], b'{"a":1,"a":2}']
     result["envelope"] = [canonical(one) + b"\n" for one in envelopes] + [canonical(sealed)[:-40], b"[" * 5000]
 
-    record = json.loads((source / "reports/testdata/record.json").read_text())
+    record = json.loads((source / "reports/testing/record.json").read_text())
     for kernel in record["kernels"]:  # a smaller record: fewer cells, but all kinds of members
         kernel["families"] = dict(list(kernel["families"].items())[:1])
     record["kernels"], record["witnesses"] = record["kernels"][:1], record["witnesses"][:2]
@@ -130,9 +130,9 @@ def seeds(source):
     deep = b'{"schema":' + b"[" * 500000 + b"]" * 500000 + b"}"
     result["plan"].append(deep)
     result["record"] = [
-        (source / "reports/testdata/record.json").read_bytes(),
+        (source / "reports/testing/record.json").read_bytes(),
         json.dumps(record).encode(),
-        (source / "reports/testdata/run.json").read_bytes(),
+        (source / "reports/testing/run.json").read_bytes(),
         deep,
     ]
     return result
@@ -144,7 +144,7 @@ def canonical(value):
 
 def statement(source, **changes):
     """The stored certificate, which has one of everything that one can have, with the digest of itself."""
-    made = json.loads((source / "reports/testdata/certificate.json").read_text())
+    made = json.loads((source / "reports/testing/certificate.json").read_text())
     made["predicate"].update(changes)
     made["predicate"]["digest"] = hashlib.sha256(canonical(made)).hexdigest()
     return made

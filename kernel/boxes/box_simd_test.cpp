@@ -10,7 +10,7 @@
 #include "kernel/ask.h"
 #include "kernel/boxes/names.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 
 namespace axiscert::boxes {
 namespace {

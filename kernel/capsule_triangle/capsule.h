@@ -7,7 +7,7 @@
 
 #include "kernel/formulae_kernel.h"
 #include "kernel/moving_sphere/moving_sphere.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert {
 

@@ -18,9 +18,9 @@
 #include "kernel/moving_sphere/segment.h"
 #include "kernel/moving_sphere/twenty.h"
 #include "kernel/plugin/pipe_format.h"
-#include "kernel/sphere_triangle/certified_filter/kernels.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
-#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/sphere_triangle/forms/filter_kernels.h"
+#include "kernel/sphere_triangle/forms/methods.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
 
 namespace axiscert::gpu {
 namespace {

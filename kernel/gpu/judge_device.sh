@@ -56,11 +56,11 @@ export AXISCERT_GPU=${AXISCERT_GPU:-hardware}
 if node kernel/gpu/probe.mjs; then
   shader() { node kernel/gpu/shader.mjs "kernel/gpu/$1.wgsl" "$2"; }
   for kernel in published reduced-nonstrict reduced-nonstrict-kept closest-point; do
-    judged wgsl-$kernel sphere-triangle "" shader sphere-triangle/$kernel sphere-triangle
+    judged wgsl-$kernel sphere-triangle "" shader shaders/$kernel sphere-triangle
   done
-  judged wgsl-twenty moving-sphere "" shader moving-sphere/twenty-nonstrict moving-sphere
-  judged wgsl-projected box-box "" shader box-box/projected box-box/matrix
-  judged wgsl-textbook box-box "" shader box-box/textbook box-box/matrix
+  judged wgsl-twenty moving-sphere "" shader shaders/twenty-nonstrict moving-sphere
+  judged wgsl-projected box-box "" shader shaders/projected box-box/matrix
+  judged wgsl-textbook box-box "" shader shaders/textbook box-box/matrix
 else
   echo "shaders: NOT CHECKED"
 fi
@@ -68,7 +68,7 @@ fi
 for language in glsl cl; do
   if node kernel/gpu/probe.mjs $language; then
     for kernel in published reduced-nonstrict closest-point; do
-      judged $language-$kernel sphere-triangle "" node kernel/gpu/shader.mjs "kernel/gpu/sphere-triangle/$kernel.$language" sphere-triangle
+      judged $language-$kernel sphere-triangle "" node kernel/gpu/shader.mjs "kernel/gpu/shaders/$kernel.$language" sphere-triangle
     done
   else
     echo "$language: NOT CHECKED"

@@ -33,7 +33,7 @@ class Language:
 
     def test_where_nothing_is_rounded_each_answers_as_the_kernel_of_its_name(self):
         for name in ("published", "reduced-nonstrict"):
-            record = self.judged(f"program:{FOLDER}/sphere-triangle/{name}.{self.language}.json", "--kernel", name, "--precision", "binary32",
+            record = self.judged(f"program:{FOLDER}/shaders/{name}.{self.language}.json", "--kernel", name, "--precision", "binary32",
                                  "--family", "lattice", "--trials", 3000)
             of_shader, of_kernel = ([family["verdict"][kind] for kind in ("false_separation", "false_contact", "deepest", "unanswered")]
                                     for kernel in record["kernels"] for family in kernel["families"].values())
@@ -59,7 +59,7 @@ class Language:
         self.assertEqual(code, 2)
 
     def test_a_device_whose_process_ends_is_told(self):
-        asked = subprocess.Popen(["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / f"published.{self.language}"], cwd=self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+        asked = subprocess.Popen(["node", FOLDER / "shader.mjs", FOLDER / "shaders" / f"published.{self.language}"], cwd=self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                  stderr=subprocess.PIPE)
         self.addCleanup(asked.kill)
         # Once it has answered a stream of no query, the host is there.
@@ -86,7 +86,7 @@ class Language:
         self.assertRegex(done.stderr, "NOT CHECKED: no .* device whose name has 'GeForce'; there is ")
 
     def test_without_its_host_nothing_is_judged(self):
-        done = subprocess.run(["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / f"published.{self.language}"], stdin=subprocess.DEVNULL,
+        done = subprocess.run(["node", FOLDER / "shader.mjs", FOLDER / "shaders" / f"published.{self.language}"], stdin=subprocess.DEVNULL,
                               env={**os.environ, "AXISCERT_GPU_HOSTS": "/nowhere"}, capture_output=True, text=True, timeout=60)
         self.assertRegex(done.stderr, "NOT CHECKED: /nowhere/(vulkan|opencl)_host is not there; ./dev gpu builds it")
         self.assertEqual(done.returncode, 2)
@@ -103,7 +103,7 @@ class Glsl(Language, Shaders):
         self.assertRegex(said, r"wrong on [0-9]+ of [0-9]+ separated spheres")
 
     def test_lavapipe_answers_as_the_processor(self):
-        differ = self.differing("published", ["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / "published.glsl", "sphere-triangle", "llvmpipe"],
+        differ = self.differing("published", ["node", FOLDER / "shader.mjs", FOLDER / "shaders" / "published.glsl", "sphere-triangle", "llvmpipe"],
                                 ("published",), ("general", "tangent", "scale", "far"), 10000)
         self.assertEqual(differ["published"], 0)
 
@@ -117,7 +117,7 @@ class OpenCl(Language, Shaders):
         self.assertEqual(code, 1)
 
     def test_pocl_contracts_published(self):
-        differ = self.differing("published", ["node", FOLDER / "shader.mjs", FOLDER / "sphere-triangle" / "published.cl", "sphere-triangle", "portable"],
+        differ = self.differing("published", ["node", FOLDER / "shader.mjs", FOLDER / "shaders" / "published.cl", "sphere-triangle", "portable"],
                                 ("published",), ("tangent",), 4000)
         self.assertGreater(differ["published"], 20)
 
@@ -135,13 +135,13 @@ class Engines(Shaders):
         for language, missing in (("wgsl", missing_dawn()), ("glsl", missing_native("glsl"))):
             if not missing:
                 queries = [[*triangle, *point, radius] for radius in (0.5, 1.5, 4, 4.25)]
-                found = asking.ask(["node", "../shader.mjs", f"three-mesh-bvh.{language}.mjs"], FOLDER / "sphere-triangle", queries)
+                found = asking.ask(["node", "../shader.mjs", f"three-mesh-bvh.{language}.mjs"], FOLDER / "shaders", queries)
                 # The distance is 1; that of the shader's point is between 4 and 4.25.
                 self.assertEqual(found, ["separated", "separated", "separated", "contact"], language)
 
     @unittest.skipIf(missing_dawn(), missing_dawn())
     def test_the_program_of_its_text_prints_what_is_said(self):
-        text = (FOLDER.parents[1] / "docs" / "upstream" / "three-mesh-bvh" / "shader-obtuse.md").read_text()
+        text = (FOLDER.parents[1] / "docs" / "upstream" / "three-mesh-bvh-shader-obtuse.md").read_text()
         program, printed = re.search(r"\n```js\n(.*?)\n```\n\nIt prints\n\n```\n(.*?)\n```\n", text, re.DOTALL).groups()
         (self.folder / "node_modules").mkdir()
         for folder, package in ((asking.FOLDER, "three"), (asking.FOLDER, "three-mesh-bvh"), (FOLDER, "webgpu")):

@@ -43,7 +43,7 @@ def main(missing):
 
 
 def source(name, language="wgsl"):
-    return (FOLDER / "sphere-triangle" / f"{name}.{language}").read_text()
+    return (FOLDER / "shaders" / f"{name}.{language}").read_text()
 
 
 class Shaders(unittest.TestCase):

@@ -6,7 +6,7 @@
 
 #include "kernel/moving_sphere/timed.h"
 #include "kernel/moving_sphere/twenty.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert::moving_sphere {
 

@@ -12,7 +12,7 @@ const LaneForms& simd_twenty();
 const LaneForms& simd_twenty_nonstrict();
 const LaneForms& simd_rounded();  // verdicts alone
 
-// The twenty axes in the arithmetics of kernel/arithmetic/arithmetic_list.h: TWENTY+ARITHMETIC.
+// The twenty axes in the arithmetics of kernel/base/arithmetic_list.h: TWENTY+ARITHMETIC.
 
 // The scalar form of `rung`, which is moving-sphere/twenty or moving-sphere/twenty-nonstrict, in that arithmetic. It
 // claims the formulae, and not the bits of the plain reference: what differs from the exact formulae is unattributed.

@@ -9,8 +9,8 @@
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/moving_sphere/names.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
-#include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/forms/methods.h"
+#include "kernel/random_testing.h"
 
 namespace axiscert::moving_sphere {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "kernel/moving_sphere/timed.h"
-#include "kernel/sphere_triangle/formulae/methods.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert::moving_sphere::physx {
 

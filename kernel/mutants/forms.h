@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kernel/moving_sphere/mutant_form.h"
-#include "kernel/sphere_triangle/reference/mutant_form.h"
+#include "kernel/sphere_triangle/forms/mutant_form.h"
 
 namespace axiscert::mutants {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "kernel/arithmetic/number.h"
+#include "kernel/base/number.h"
 #include "kernel/mutants/operations.h"
 
 namespace axiscert::mutants {

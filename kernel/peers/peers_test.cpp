@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "kernel/peers/peers_testing.h"
-#include "kernel/testing/queries.h"
+#include "kernel/queries_testing.h"
 
 namespace axiscert::peer {
 namespace {

@@ -14,7 +14,7 @@
 #include "kernel/plugin/caller.h"
 #include "kernel/sphere_triangle/query.h"
 #include "kernel/predicate.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 
 namespace axiscert {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 using testing::HasSubstr;
 using testing_support::random_query;
 
-std::string layout_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/layouts/{}.so", name); }
+std::string layout_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/declarations/{}.so", name); }
 
 template <class Real>
 QueryBatch<Real> random_queries() {
@@ -104,7 +104,7 @@ TEST(Interface, WhatCannotBeTrueIsOneLineThatSaysWhatWouldBe) {
                   "its may_decline is 2; known: 0, it decides every query; 1, it may answer undecided"},
         std::pair{"two_promises", "its kernels in binary32 and in binary64 say different things of themselves"}}) {
     SCOPED_TRACE(name);
-    const Kernel& kernel = find_kernel(fmt::format("plugin:{}/misdeclared/{}.so", BUILD_FOLDER, name));
+    const Kernel& kernel = find_kernel(fmt::format("plugin:{}/declarations/{}.so", BUILD_FOLDER, name));
     EXPECT_FALSE(kernel.has(Precision::binary32));
     ASSERT_EQ(kernel.findings.size(), 1u);
     EXPECT_EQ(kernel.findings[0].kind, FindingKind::load);

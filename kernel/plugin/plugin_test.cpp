@@ -21,7 +21,7 @@ using namespace plugin_testing;
 using testing::HasSubstr;
 
 std::string misbehaving_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misbehaving/{}.so", name); }
-std::string misdeclared_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/misdeclared/{}.so", name); }
+std::string misdeclared_path(const std::string& name) { return fmt::format(BUILD_FOLDER "/declarations/{}.so", name); }
 
 SeenAnswers supervise(const std::string& name) {
   const Kernel& kernel = find_kernel("plugin:" + misbehaving_path(name));

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "kernel/base/error.h"
-#include "kernel/testing/queries.h"
-#include "kernel/testing/random.h"
+#include "kernel/queries_testing.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -19,7 +19,7 @@
 #include "kernel/predicate_list.h"
 #include "kernel/registry/called.h"
 #include "kernel/sphere_triangle/forms/simd.h"
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 
 namespace axiscert {
 

@@ -9,8 +9,8 @@
 
 #include "kernel/base/error.h"
 #include "kernel/formulae_list.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

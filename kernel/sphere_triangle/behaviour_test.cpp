@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/testing/queries.h"
-#include "kernel/testing/table.h"
+#include "kernel/queries_testing.h"
+#include "kernel/table_testing.h"
 
 namespace axiscert {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "kernel/sphere_triangle/certified/contact/contact_steps.h"
+#include "kernel/sphere_triangle/certified/contact_steps.h"
 #include "kernel/sphere_triangle/certified/default_modes.h"
 #include "kernel/sphere_triangle/certified/steps.h"
 #include "kernel/sphere_triangle/forms/simd.h"

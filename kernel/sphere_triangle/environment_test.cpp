@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "kernel/sphere_triangle/reference/formulae_types.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/testing/queries.h"
-#include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/queries_testing.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "kernel/sphere_triangle/formulae/methods.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/testing/queries.h"
+#include "kernel/sphere_triangle/forms/methods.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/queries_testing.h"
 
 namespace axiscert {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "kernel/sphere_triangle/formulae/ladder.h"
-#include "kernel/sphere_triangle/formulae/reduced.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
-#include "kernel/testing/queries.h"
-#include "kernel/testing/random.h"
+#include "kernel/sphere_triangle/forms/ladder.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/queries_testing.h"
+#include "kernel/random_testing.h"
 
 namespace axiscert {
 namespace {

@@ -12,8 +12,8 @@
 #include "kernel/sphere_triangle/certified/range_step-inl.h"
 #include "kernel/sphere_triangle/certified/margins-inl.h"
 #include "kernel/sphere_triangle/certified/fine_step-inl.h"
-#include "kernel/sphere_triangle/certified/numbers/pairs-inl.h"
-#include "kernel/sphere_triangle/certified/numbers/wrapped-inl.h"
+#include "kernel/sphere_triangle/certified/pairs-inl.h"
+#include "kernel/sphere_triangle/certified/wrapped-inl.h"
 #include "kernel/sphere_triangle/certified/deep_step-inl.h"
 #include "kernel/sphere_triangle/certified/pair_step-inl.h"
 

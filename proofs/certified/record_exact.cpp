@@ -1,12 +1,12 @@
 // The exact step over integers that are symbols: its margins
-// (kernel/sphere_triangle/certified/numbers/exact_margins.h), and its verdict of their signs (exact_test.h) as trees of
-// questions; and which integers it takes (numbers/widths.h).
+// (kernel/sphere_triangle/certified/exact_margins.h), and its verdict of their signs (exact_test.h) as trees of
+// questions; and which integers it takes (widths.h).
 #include <iterator>
 #include <stdexcept>
 
 #include "proofs/certified/graph.h"
 #include "kernel/sphere_triangle/certified/exact_test.h"
-#include "kernel/sphere_triangle/certified/numbers/widths.h"
+#include "kernel/sphere_triangle/certified/widths.h"
 
 namespace axiscert::proofs::certified {
 namespace {

@@ -1,5 +1,5 @@
 // Which integers the exact step takes for a query, with which numbers, and when it asks balls before
-// (kernel/sphere_triangle/certified/exact_step.cpp, numbers/widths.h): the code as it is, but that the test of
+// (kernel/sphere_triangle/certified/exact_step.cpp, widths.h): the code as it is, but that the test of
 // integers, of digits or of balls notes its numbers.
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "proofs/certified/windows.h"
 #include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/exact_test.h"
-#include "kernel/sphere_triangle/certified/numbers/ball.h"
-#include "kernel/sphere_triangle/certified/numbers/widths.h"
+#include "kernel/sphere_triangle/certified/ball.h"
+#include "kernel/sphere_triangle/certified/widths.h"
 
 namespace axiscert::certified {
 namespace {

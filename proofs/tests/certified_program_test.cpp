@@ -9,7 +9,7 @@
 
 #include "proofs/certified/mutants.h"
 #include "proofs/certified/step_queries.h"
-#include "proofs/emit/emit.h"
+#include "proofs/emit.h"
 #include "proofs/tests/certified_steps.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 

@@ -10,10 +10,10 @@
 #include "proofs/certified/turns.h"
 #include "kernel/include/axiscert/certified.h"
 #include "kernel/sphere_triangle/certified/thresholds.h"
-#include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
-#include "kernel/sphere_triangle/certified_filter/thresholds.h"
+#include "kernel/sphere_triangle/forms/margin_bounds.h"
+#include "kernel/sphere_triangle/forms/filter_thresholds.h"
 #include "kernel/kernel.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 
 namespace axiscert::proofs {
 namespace {

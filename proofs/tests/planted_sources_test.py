@@ -41,7 +41,7 @@ class Planted(unittest.TestCase):
         # The unit's own definitions take precedence over those of the library.
         beside = (ROOT / source).parent  # for what the source includes by its name alone
         subprocess.run([CXX, "-std=c++20", "-O0", "-ffp-contract=off", "-iquote", beside, "-I", overlay, "-I", ROOT, planted,
-                        PROOFS / "emit" / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
+                        PROOFS / "write_proofs.cpp", LIBRARY, "-lfmt", "-o", self.work / "write_proofs"], check=True)
         subprocess.run([self.work / "write_proofs", self.work / "written"], check=True)
         return self.work / "written"
 
@@ -66,7 +66,7 @@ class PlantedSources(Planted):
         self.formula("kernel/sphere_triangle/formulae.h", "A * e1 - AB * d1", "A * e1 + AB * d1", "RecordedIsSat7.v")
 
     def test_a_wrong_coefficient_in_the_reduced_form(self):
-        self.formula("kernel/sphere_triangle/formulae/reduced.h", "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, AB))",
+        self.formula("kernel/sphere_triangle/forms/reduced.h", "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, AB))",
                      "emit(edge_ab_radius, dot(N1, N1), rr * dot(AB, BC))", "RecordedIsSat7.v")
 
     def test_a_swapped_comparison(self):
@@ -96,7 +96,7 @@ class PlantedSources(Planted):
 
 
 CERTIFIED = "kernel/sphere_triangle/certified"
-BOUNDS = "kernel/sphere_triangle/certified_filter/margin_bounds.h"
+BOUNDS = "kernel/sphere_triangle/forms/margin_bounds.h"
 STEPS, EXACT, BLOCKS, WINDOWS = (f"proofs/certified/record_{unit}.cpp" for unit in ("steps", "exact", "blocks", "windows"))
 # The recorder itself refuses to write a program.
 RECORDER = "the recorder"
@@ -117,7 +117,7 @@ STEP_FAULTS = {
     "errors of the conservative test a quarter of what is proved": (
         f"{CERTIFIED}/conservative_step-inl.h", "units(Bounds::error) * W", "units(Bounds::error / 4) * W", STEPS, "RecordedIsConservative.v"),
     "a promised depth of phantoms that is not proved": (
-        "kernel/include/axiscert/certified.h", "DEPTH_F32 0.0048828125", "DEPTH_F32 0.004638671875", "proofs/emit/emit_certified.cpp",
+        "kernel/include/axiscert/certified.h", "DEPTH_F32 0.0048828125", "DEPTH_F32 0.004638671875", "proofs/emit_certified.cpp",
         "RecordedIsConservative.v"),
     # Constants written by hand.
     "an upper end of the conservative test that is not proved": (

@@ -14,8 +14,8 @@
 
 #include "proofs/program.h"
 #include "proofs/tests/small_float.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
 
 namespace axiscert::proofs {
 namespace {

@@ -59,14 +59,14 @@ class Theorems(unittest.TestCase):
     def test_a_name_that_two_files_define_says_which(self):
         files = prove.theory(WRITTEN)
         prove.refuse_ambiguous(files)
-        files["reals/Vectors.v"] += "Definition never_lies := 1.\n"
+        files["numbers/Vectors.v"] += "Definition never_lies := 1.\n"
         self.assertIn("theorems.txt has 'never_lies'", refusal(prove.refuse_ambiguous, files))
 
     def test_an_admitted_step_is_refused_at_its_line(self):
         files = prove.theory(WRITTEN)
         prove.refuse_unproved(files)
-        files["reals/Sat7.v"] = "(* Admitted. *)\nAdmitted.\n"
-        self.assertIn("reals/Sat7.v:2: 'Admitted'", refusal(prove.refuse_unproved, files))
+        files["numbers/Sat7.v"] = "(* Admitted. *)\nAdmitted.\n"
+        self.assertIn("numbers/Sat7.v:2: 'Admitted'", refusal(prove.refuse_unproved, files))
 
 
 class Faults(unittest.TestCase):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""thresholds_test.py: the exported headers of kernel/sphere_triangle/certified_filter have the figures of the Coq theory, and a
+"""thresholds_test.py: the exported headers of kernel/sphere_triangle/forms have the figures of the Coq theory, and a
 changed figure is reported for the right one. Coq checks Exported.v, which is made of the same figures."""
 import pathlib
 import shutil
@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 PROOFS = pathlib.Path(__file__).resolve().parents[1]
-HEADERS = PROOFS.parent / "kernel" / "sphere_triangle" / "certified_filter"
+HEADERS = PROOFS.parent / "kernel" / "sphere_triangle" / "forms"
 
 
 def check(coq, headers):
@@ -23,7 +23,7 @@ class Thresholds(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.coq = pathlib.Path(self.folder.name)
         shutil.copytree(PROOFS / "coq", self.coq, dirs_exist_ok=True)
-        for name in ("thresholds.h", "margin_bounds.h"):
+        for name in ("filter_thresholds.h", "margin_bounds.h"):
             shutil.copy(HEADERS / name, self.coq)
 
     def replace(self, file, old, new):
@@ -38,10 +38,10 @@ class Thresholds(unittest.TestCase):
 
     def test_a_changed_figure_is_seen_at_its_file(self):
         for file, old, new, stale in (
-                ("thresholds.h", "{2642, 6}", "{2641, 6}", {"thresholds.h"}),
-                ("thresholds.h", "0x1p19", "0x1p20", {"thresholds.h"}),
-                ("Thresholds.v", "=> 13240", "=> 6620", {"thresholds.h"}),
-                ("Filters.v", "8388608 (-42)", "8388608 (-43)", {"thresholds.h"}),
+                ("filter_thresholds.h", "{2642, 6}", "{2641, 6}", {"filter_thresholds.h"}),
+                ("filter_thresholds.h", "0x1p19", "0x1p20", {"filter_thresholds.h"}),
+                ("Thresholds.v", "=> 13240", "=> 6620", {"filter_thresholds.h"}),
+                ("Filters.v", "8388608 (-42)", "8388608 (-43)", {"filter_thresholds.h"}),
                 ("margin_bounds.h", "= 15;", "= 14;", {"margin_bounds.h"}),
                 ("Margins.v", ": R := 3.2.", ": R := 3.3.", {"margin_bounds.h"}),
                 ("Certified.v", ": R := 20.1875.", ": R := 20.", {"margin_bounds.h"}),
@@ -53,7 +53,7 @@ class Thresholds(unittest.TestCase):
                 self.replace(file, old, new)
                 done = check(self.coq, self.coq)
                 self.assertEqual(done.returncode, 1, done.stderr)
-                self.assertEqual({name for name in ("thresholds.h", "margin_bounds.h") if f"{name} is not current" in done.stderr}, stale)
+                self.assertEqual({name for name in ("filter_thresholds.h", "margin_bounds.h") if f"{name} is not current" in done.stderr}, stale)
 
     def test_a_theory_of_another_shape_is_refused(self):
         for file, old, new, says in (

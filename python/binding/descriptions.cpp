@@ -2,8 +2,8 @@
 #include <map>
 
 #include "exact/numbers/number_format.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/trait/oracles.h"
+#include "exact/sphere_triangle/unbounded.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/family.h"
 #include "kernel/base/version.h"
 #include "kernel/kernel.h"

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "exact/numbers/number_format.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/trait/oracles.h"
+#include "exact/sphere_triangle/unbounded.h"
+#include "exact/judge/oracles.h"
 #include "kernel/base/error.h"
 #include "kernel/base/split_mix.h"
 #include "kernel/formulae_list.h"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "plans/formula_figures.h"
 #include "plans/given_queries.h"

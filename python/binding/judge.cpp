@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "fuzz/diagnosis/beside_runs.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "kernel/kernel.h"
 #include "kernel/base/error.h"

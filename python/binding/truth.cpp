@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "exact/trait/exact_facts.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/exact_facts.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/queries/capabilities.h"
 #include "kernel/base/error.h"
 #include "kernel/kernel.h"

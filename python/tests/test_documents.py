@@ -56,7 +56,7 @@ def run(*words, cwd):
 @pytest.mark.parametrize("script, picture", [("numpy_kernel.py", "python-numpy.svg"), ("figure.py", "python-figure.svg")])
 def test_examples_make_the_pictures(script, picture, tmp_path):
     pytest.importorskip("matplotlib")
-    run(os.path.join(ROOT, "examples/python", script), "made.svg", cwd=tmp_path)
+    run(os.path.join(ROOT, "examples", script), "made.svg", cwd=tmp_path)
     with open(os.path.join(ROOT, "docs/plots", picture), "rb") as committed:
         assert (tmp_path / "made.svg").read_bytes() == committed.read()
 
@@ -64,11 +64,11 @@ def test_examples_make_the_pictures(script, picture, tmp_path):
 @pytest.mark.slow
 def test_the_example_of_tensors(tmp_path):
     pytest.importorskip("torch")
-    out = run(os.path.join(ROOT, "examples/python/tensors.py"), "2000", cwd=tmp_path)
+    out = run(os.path.join(ROOT, "examples/tensors.py"), "2000", cwd=tmp_path)
     assert "bounding_box binary64: 6,000 queries, 0 missed" in out and "in the kernel itself" in out
 
 
 @pytest.mark.slow
 def test_the_example_of_a_property(tmp_path):
     pytest.importorskip("hypothesis")
-    run("-m", "pytest", "-q", "-p", "no:cacheprovider", os.path.join(ROOT, "examples/python/test_property.py"), cwd=tmp_path)
+    run("-m", "pytest", "-q", "-p", "no:cacheprovider", os.path.join(ROOT, "examples/test_property.py"), cwd=tmp_path)

@@ -1,5 +1,5 @@
 // Parts that the tests of a page share: the browser, a real run, and pages opened from disk without a network.
-// Arguments of the program: AXISCERT, the command; TESTDATA, reports/testdata; WORK, a folder of the build tree.
+// Arguments of the program: AXISCERT, the command; TESTDATA, reports/testing; WORK, a folder of the build tree.
 import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';

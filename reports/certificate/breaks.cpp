@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
-#include "reports/certificate/statement/statement.h"
+#include "reports/certificate/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/causes.h"
 #include "reports/wording/everyday.h"

@@ -8,7 +8,7 @@
 
 #include "fuzz/queries/family.h"
 #include "fuzz/record/record.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/certificate_data.h"
 
 namespace axiscert {
 // A depth, relative to the scene, from which on roundings near touching are not to blame.

@@ -4,10 +4,10 @@
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 #include "fuzz/text/json.h"
-#include "reports/certificate/statement/statement.h"
+#include "reports/certificate/statement.h"
 #include "reports/certificate/derived.h"
 #include "reports/certificate/page.h"
-#include "reports/certificate/statement/canonical.h"
+#include "reports/certificate/canonical.h"
 
 namespace {
 

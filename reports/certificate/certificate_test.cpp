@@ -1,12 +1,12 @@
 // Certificates that are read and refused: each way to break one has its message.
-#include "fuzz/fields/json_form.h"
-#include "reports/certificate/statement/statement.h"
+#include "fuzz/text/json_form.h"
+#include "reports/certificate/statement.h"
 
 #include <set>
 
 #include "kernel/base/folders.h"
 #include "reports/certificate/page.h"
-#include "reports/certificate/statement/canonical.h"
+#include "reports/certificate/canonical.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {
@@ -18,9 +18,7 @@ Json with_digest(Json statement) {
   statement["predicate"]["digest"] = digest_without_itself(statement);
   return statement;
 }
-Json stored_statement() {
-  return with_digest(Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/certificate.json")));
-}
+Json stored_statement() { return with_digest(Json::parse(text_of(SOURCE_FOLDER "/reports/testing/certificate.json"))); }
 CertificateStatement certificate_of(const Json& statement) { return read_as<CertificateStatement>(statement); }
 std::string stored_certificate() { return canonical_json(stored_statement()) + "\n"; }
 InstrumentReport report_of(const Json& statement) {

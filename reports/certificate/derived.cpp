@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "fuzz/certify/effort.h"
-#include "fuzz/certify/safe_margin.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/instruments/effort.h"
+#include "fuzz/instruments/safe_margin.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
@@ -17,8 +17,8 @@
 #include "reports/certificate/margin.h"
 #include "reports/certificate/breaks.h"
 #include "reports/certificate/levels.h"
-#include "reports/certificate/statement/canonical.h"
-#include "reports/certificate/statement/statement.h"
+#include "reports/certificate/canonical.h"
+#include "reports/certificate/statement.h"
 #include "reports/wording/evidence.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/record/record.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/certificate_data.h"
 
 namespace axiscert {
 // The parts of a certificate's materials that a run's record gives: its entries, whose families have only what is not

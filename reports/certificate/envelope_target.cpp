@@ -2,9 +2,9 @@
 // its own bytes is refused; and no signature that was not made is taken for one.
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
-#include "reports/certificate/statement/statement.h"
-#include "reports/certificate/statement/canonical.h"
-#include "reports/certificate/statement/envelope.h"
+#include "reports/certificate/statement.h"
+#include "reports/certificate/canonical.h"
+#include "reports/certificate/envelope.h"
 #include "reports/page/encoding.h"
 
 namespace {

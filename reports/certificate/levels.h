@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/certificate_data.h"
 #include "reports/gates/level.h"
 
 namespace axiscert {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/certify/safe_margin.h"
+#include "fuzz/instruments/safe_margin.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/certify/safe_margin.h"
+#include "fuzz/instruments/safe_margin.h"
 #include "fuzz/record/kernel_record.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/certificate_data.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {

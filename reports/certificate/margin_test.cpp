@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "fuzz/certify/safe_margin.h"
+#include "fuzz/instruments/safe_margin.h"
 
 namespace axiscert {
 namespace {

@@ -10,10 +10,10 @@
 #include <span>
 
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
-#include "reports/certificate/statement/canonical.h"
+#include "reports/certificate/canonical.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "fuzz/campaign/parts/stretch.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/record/record.h"
 #include "kernel/predicate.h"
-#include "reports/certificate/statement/canonical.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/canonical.h"
+#include "reports/certificate/certificate_data.h"
 
 namespace axiscert {
 // Sums: all but the medians.

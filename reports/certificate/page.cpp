@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/search/method.h"
 #include "kernel/base/error.h"
 #include "reports/certificate/margin.h"

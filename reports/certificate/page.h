@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fuzz/record/record.h"
-#include "reports/certificate/statement/certificate_data.h"
+#include "reports/certificate/certificate_data.h"
 #include "reports/instrument/instrument.h"
 
 namespace axiscert {

@@ -1,4 +1,4 @@
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/certificate/derived.h"
 
 #include <fmt/format.h>
@@ -9,12 +9,12 @@
 #include <set>
 #include <tuple>
 
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/text/number_text.h"
 #include "reports/certificate/materials.h"
-#include "reports/certificate/statement/canonical.h"
-#include "reports/certificate/statement/statement.h"
+#include "reports/certificate/canonical.h"
+#include "reports/certificate/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/outcome.h"
 #include "reports/run_folder/identity.h"
 #include "reports/wording/evidence.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/statistics/proportions.h"
+#include "fuzz/record/proportions.h"
 #include "fuzz/record/record.h"
 #include "fuzz/text/json.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "reports/wording/markdown_text.h"
 #include "reports/wording/reproduce.h"

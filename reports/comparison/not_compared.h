@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "kernel/base/enums.h"
 
 namespace axiscert {

@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/confirm/witness.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_line.h"
 #include "kernel/base/error.h"
 #include "fuzz/confirm/record.h"

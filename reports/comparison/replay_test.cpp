@@ -7,7 +7,7 @@
 #include <set>
 
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/kernel.h"
 #include "reports/comparison/replay.h"
 #include "reports/testing/test_run.h"
@@ -34,7 +34,7 @@ Record recorded_by(const std::string& kernel, std::initializer_list<const char*>
 
 std::string promises(const char* kind) { return fmt::format("plugin:{}/promises/{}.so", BUILD_FOLDER, kind); }
 
-// The witnesses of the record, as though this kind of kernel/plugin/testing/promises.c had given them.
+// The witnesses of the record, as though this kind of kernel/plugin/promises_testing.c had given them.
 std::vector<ReplayedQuery> replayed_by(Record record, const char* kind) {
   const std::string id = promises(kind);
   record.plan.kernels[0] = id;
@@ -101,7 +101,7 @@ TEST(ReplayPromises, TouchingQueriesThatAreEitherNowAreNotMended) {
     "p": ["0x0p+0", "0x0p+0", "0x0p+0"], "r": "0x1p+0", "truth": "contact", "computed": "separated", "touching": true,
     "flips": [{"level": "verdict", "name": "verdict", "kind": "false_separation", "decisive": true, "links": ["rounding"]}]})");
   record.witnesses = {read_as<WitnessRecord>(witness)};
-  const std::string either = fmt::format("plugin:{}/layouts/all_but_last.so", BUILD_FOLDER);
+  const std::string either = fmt::format("plugin:{}/declarations/all_but_last.so", BUILD_FOLDER);
   kernel.id = record.witnesses[0].kernel = record.plan.kernels[0] = either;
   const auto replayed = [&] { return replay_witnesses(record, scalar_target, {{either, either}}); };
   const auto now = replayed();

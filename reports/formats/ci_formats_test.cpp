@@ -1,5 +1,5 @@
 // The contents of junit.xml and report.sarif.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/testing/test_run.h"
 
 #include <map>

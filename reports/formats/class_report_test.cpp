@@ -3,7 +3,7 @@
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/confirm/nearest_kernel.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/testing/test_run.h"
 #include "reports/wording/causes.h"

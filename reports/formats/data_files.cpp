@@ -1,5 +1,5 @@
 // Formats of lines for other programs: record.csv, witnesses.jsonl, ratchet.txt.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/files/nested_members.h"
 #include "fuzz/record/record.h"
 #include "reports/formats/format.h"

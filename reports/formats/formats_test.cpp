@@ -1,8 +1,8 @@
 // The list of report formats: every one that is defined is in it, and all are written, the same bytes every time.
 #include <algorithm>
 
-#include "fuzz/fields/json_form.h"
-#include "kernel/testing/sources.h"
+#include "fuzz/text/json_form.h"
+#include "kernel/sources_testing.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/names.h"
 #include "reports/formats/format.h"

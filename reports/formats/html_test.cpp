@@ -1,5 +1,5 @@
 // The contents of report.html; no name in a record may become markup.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/testing/test_run.h"
 
 #include <fmt/format.h>

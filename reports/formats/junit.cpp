@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/names.h"
 #include "reports/comparison/cells.h"
 #include "reports/wording/summary.h"

@@ -2,7 +2,7 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/supervised_testing.h"
 #include "fuzz/confirm/record.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/summary.h"

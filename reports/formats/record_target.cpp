@@ -2,7 +2,7 @@
 // then every format renders them or says in an Error why not.
 #include <fmt/format.h>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
 #include "reports/formats/format.h"

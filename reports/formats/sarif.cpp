@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/comparison/cells.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/summary.h"

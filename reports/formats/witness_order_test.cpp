@@ -1,5 +1,5 @@
 // The order of the witnesses of a page: causes first, ordinary queries before others.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/formats/witness_order.h"
 
 #include "reports/testing/test_run.h"

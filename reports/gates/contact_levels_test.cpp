@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <deque>
 
-#include "fuzz/mutation/black_box.h"
+#include "fuzz/instruments/black_box.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/text/json.h"
 #include "kernel/moving_sphere/moving_sphere.h"
 #include "kernel/moving_sphere/names.h"
-#include "kernel/testing/planted_contacts.h"
+#include "kernel/planted_contacts_testing.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/edited_record.h"
 #include "reports/testing/test_run.h"

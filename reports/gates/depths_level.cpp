@@ -1,7 +1,7 @@
 // The levels of wrong verdicts whatever their cause: exact, conservative and depth.
 #include <fmt/format.h>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/text/number_text.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"

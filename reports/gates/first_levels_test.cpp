@@ -1,5 +1,5 @@
 // The levels with which a report begins: those that were required, else those that are advised.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/gates/requirement.h"
 #include "reports/testing/test_run.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fuzz/statistics/proportions.h"
+#include "fuzz/record/proportions.h"
 #include "kernel/base/error.h"
 #include "reports/comparison/compare.h"
 #include "reports/gates/level.h"

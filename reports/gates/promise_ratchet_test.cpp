@@ -1,5 +1,5 @@
 // A ratchet holds what each kernel promises: who promises less is worse, and who promises other things is not compared.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/comparison/compare.h"
 #include "reports/gates/ratchet.h"
 #include "reports/testing/edited_record.h"

@@ -1,5 +1,5 @@
 // The ratchet reads what it wrote, refuses what nobody has reviewed, and lets nothing get worse.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/gates/ratchet.h"
 #include "reports/testing/edited_record.h"
 #include "reports/testing/test_run.h"

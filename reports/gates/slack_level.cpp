@@ -6,7 +6,7 @@
 #include <charconv>
 #include <functional>
 
-#include "fuzz/slack/slack.h"
+#include "fuzz/confirm/slack.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"

@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/mutation/black_box.h"
+#include "fuzz/instruments/black_box.h"
 #include "reports/instrument/instrument.h"
 #include "reports/instrument/mutation_report.h"
 #include "reports/wording/summary.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "kernel/base/version.h"
 #include "kernel/outcome.h"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/instrument/figures.h"
 
 namespace axiscert {

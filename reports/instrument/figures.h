@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/record/looked_at.h"

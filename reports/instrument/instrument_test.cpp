@@ -1,5 +1,5 @@
 // The text and the page of an instrument's report.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/instrument/instrument.h"
 #include "reports/instrument/figures.h"
 

@@ -7,10 +7,10 @@
 #include <functional>
 #include <numbers>
 
-#include "exact/trait/examine.h"
+#include "exact/judge/examine.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/confirm/witness.h"
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/number_text.h"
 #include "reports/wording/reproduce.h"

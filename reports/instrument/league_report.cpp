@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/instrument/figures.h"
 #include "reports/wording/everyday.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/record/cause_record.h"
 #include "kernel/outcome.h"

@@ -1,4 +1,4 @@
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/instrument/league_report.h"
 
 #include <fmt/format.h>

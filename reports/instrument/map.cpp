@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "reports/instrument/instrument.h"
 #include "reports/run_folder/run_folder.h"

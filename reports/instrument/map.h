@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/map/map.h"
+#include "fuzz/instruments/map.h"
 #include "reports/instrument/data.h"
 #include "reports/page/encoding.h"
 

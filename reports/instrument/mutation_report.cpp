@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "reports/wording/markdown_text.h"
 
@@ -91,7 +91,7 @@ class MutationReport {
          "Formulae alone: the same mutant where it claims the formulae and not their bits, as a kernel "
          "of one's own may: caught by a wrong verdict where arithmetic is exact, touching ones not counted. A fault "
          "that only changes rounding is not a fault there.",
-         "Equivalent: fuzz/mutation/equivalent.txt argues that no query distinguishes it from the kernel; "
+         "Equivalent: fuzz/instruments/equivalent_mutants.txt argues that no query distinguishes it from the kernel; "
          "it was run on as many queries as the others."},
         {scores(), by_fault(), by_family(), not_caught(), controls()},
         {},
@@ -274,9 +274,9 @@ std::vector<std::string> mutation_faults(const MutationResult& result, const std
     const std::string* equivalent = equivalence_of(r);
     if (!equivalent) continue;
     const auto add = [&](const char* what) {
-      faults.push_back(
-          fmt::format("{} {}: fuzz/mutation/equivalent.txt argues that nothing distinguishes it from its base, but {}",
-                      r.mutant->id, name(r.precision), what));
+      faults.push_back(fmt::format(
+          "{} {}: fuzz/instruments/equivalent_mutants.txt argues that nothing distinguishes it from its base, but {}",
+          r.mutant->id, name(r.precision), what));
     };
     if (r.by_bits) add("a query does so");
     else if (!r.same_bits) add("its comparisons differ");

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "fuzz/mutation/black_box.h"
-#include "fuzz/mutation/mutation.h"
+#include "fuzz/instruments/black_box.h"
+#include "fuzz/instruments/mutation.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 

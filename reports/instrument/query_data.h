@@ -87,7 +87,7 @@ struct QueryRow : DataHead<QueryRow> {
 
 // A query in a line of JSON: what `axiscert check` says of one in a file, and what `axiscert shrink` makes of one.
 
-// What exact arithmetic tells of a query besides its verdict (exact/trait/exact_facts.h), rounded once.
+// What exact arithmetic tells of a query besides its verdict (exact/judge/exact_facts.h), rounded once.
 struct ExactFactLine {
   Json value, exact;
   std::optional<std::string> note;

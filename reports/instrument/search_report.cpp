@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/search/method.h"
 #include "fuzz/search/confirm.h"
 #include "reports/instrument/figures.h"

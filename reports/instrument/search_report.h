@@ -2,7 +2,7 @@
 #pragma once
 
 #include "exact/judge/judge.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/record/looked_at.h"
 #include "fuzz/search/search.h"
 #include "reports/instrument/data.h"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/fields/field.h"
-#include "fuzz/fields/values.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
 #include "kernel/kernel.h"

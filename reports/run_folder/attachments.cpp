@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "reports/page/encoding.h"
 #include "reports/run_folder/run_folder.h"

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
 #include "kernel/base/sha256.h"
 #include "reports/run_folder/run_folder.h"

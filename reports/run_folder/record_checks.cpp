@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/fields/values.h"
+#include "fuzz/text/values.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json_fwd.h"

@@ -1,7 +1,7 @@
 // Which files are read: a run's own, and no others.
 #include <functional>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/testing/test_run.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/comparison/comparison_report.h"
 #include "reports/gates/ratchet.h"
 #include "reports/gates/requirement.h"

@@ -25,9 +25,9 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-// testdata/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
+// testing/record.json: `published` with flips on `tangent`, none on `lattice` and `mesh/a|b.obj`; `<script>`, which
 // shows only verdicts, with flips on both of its families. Tolerance for plane.radius, requirement `logic`.
-inline Json stored_record() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/record.json")); }
+inline Json stored_record() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testing/record.json")); }
 // The same whose kernel, family, mesh and witness carry `name`.
 inline Json named(const std::string& name) {
   std::string text = stored_record().dump();
@@ -40,7 +40,7 @@ inline Json named(const std::string& name) {
   }
   return Json::parse(text);
 }
-inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testdata/run.json")); }
+inline Json stored_run_info() { return Json::parse(text_of(SOURCE_FOLDER "/reports/testing/run.json")); }
 // The counts of `published` on `tangent`.
 inline Json& tangent_counts(Json& record) { return record["kernels"][0]["families"]["tangent"]; }
 

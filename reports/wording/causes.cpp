@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fuzz/record/wrong_verdicts.h"
-#include "fuzz/slack/slack.h"
+#include "fuzz/confirm/slack.h"
 #include "fuzz/text/json.h"
 #include "kernel/predicate.h"
 #include "reports/wording/summary.h"

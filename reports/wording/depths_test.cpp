@@ -1,5 +1,5 @@
 // The row of a kernel's first contacts: numbers as a record has them, and dashes for what the kernel does not give.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/wording/depths.h"
 #include "reports/wording/evidence.h"
 

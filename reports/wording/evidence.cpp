@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "fuzz/record/tally.h"
-#include "fuzz/statistics/proportions.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/record/proportions.h"
+#include "fuzz/text/merge.h"
 
 namespace axiscert {
 namespace {

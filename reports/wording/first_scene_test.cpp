@@ -1,5 +1,5 @@
 // The wrong verdict that a page draws first, and its words.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "reports/testing/test_run.h"
 #include "reports/wording/everyday.h"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <tuple>
 
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/text/json.h"
 #include "reports/run_folder/run_folder.h"
 

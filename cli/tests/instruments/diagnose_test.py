@@ -83,7 +83,7 @@ class Diagnose(Case):
         self.refused("diagnose", "published", "--precision", "binary16", says=["binary16", "binary64"])
         self.refused("diagnose", "published+in-double", "--precision", "binary64", says=["binary64", "published+in-double"])
         self.refused("diagnose", "published", "--seed", "-1", says=["--seed", "-1"])
-        self.refused("diagnose", f"plugin:{BUILD}/misdeclared/wrong_abi.so", says=["wrong_abi"])
+        self.refused("diagnose", f"plugin:{BUILD}/declarations/wrong_abi.so", says=["wrong_abi"])
 
 
 if __name__ == "__main__":

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "exact/sphere_triangle/measures/dual.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 
 // Nothing here rounds before the decision. For ring formulae the margin and its partials are polynomials, and
 // BinaryNumber is exact over all of them at any exponent. The early forms divide and take one root, and Surd is closed

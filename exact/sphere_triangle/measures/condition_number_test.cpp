@@ -8,12 +8,12 @@
 #include <cmath>
 #include <random>
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "exact/sphere_triangle/measures/dual.h"
 #include "exact/numbers/floating.h"
 #include "exact/numbers/mpfr_number.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 
 namespace axiscert {
 namespace {

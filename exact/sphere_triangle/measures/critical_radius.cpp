@@ -8,7 +8,7 @@
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 
 namespace axiscert {
 namespace {

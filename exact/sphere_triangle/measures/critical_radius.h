@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "exact/trait/critical_radius.h"
+#include "exact/judge/critical_radius.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 
@@ -16,7 +16,7 @@ namespace axiscert {
 template <class Real>
 bool is_within(const Limits& limits, const Query<Real>& q);
 
-// Those of exact/trait/critical_radius.h, of a query with its members.
+// Those of exact/judge/critical_radius.h, of a query with its members.
 template <class Real>
 CriticalRadius<Real> critical_radius(const Implementation<Real>& kernel, const Query<Real>& query,
                                      const RadiusRange<Real>& range = {});

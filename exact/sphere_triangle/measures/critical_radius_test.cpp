@@ -8,8 +8,8 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/trait/critical_radius.h"
-#include "exact/trait/oracles.h"
+#include "exact/judge/critical_radius.h"
+#include "exact/judge/oracles.h"
 
 namespace axiscert {
 // Queries exactly on a limit, and one float to each side of it.

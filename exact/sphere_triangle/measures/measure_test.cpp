@@ -8,10 +8,10 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

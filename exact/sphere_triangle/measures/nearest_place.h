@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/trait/exact_facts.h"
+#include "exact/judge/exact_facts.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "exact/sphere_triangle/filters/distance_bounds.h"
+#include "exact/sphere_triangle/oracles/distance_bounds.h"
 
 namespace axiscert {
 namespace {

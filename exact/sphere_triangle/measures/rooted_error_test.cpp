@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "exact/numbers/mpfr_number.h"
 
 namespace axiscert {

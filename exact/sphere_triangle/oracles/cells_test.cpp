@@ -5,7 +5,7 @@
 #include <random>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

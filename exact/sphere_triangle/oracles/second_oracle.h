@@ -2,7 +2,7 @@
 // features in place of CGAL.
 #pragma once
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 
 namespace axiscert {
 // The distance from the origin to a triangle by a walk over its features, in any exact ring. It shares nothing with the

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "kernel/formulae_list.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernel/sphere_triangle/reference/formulae_types.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 
 namespace axiscert {
 namespace {

@@ -9,7 +9,7 @@
 #include "kernel/base/enums.h"
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/formulae/ladder.h"
+#include "kernel/sphere_triangle/forms/ladder.h"
 
 namespace axiscert {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "exact/sphere_triangle/measures/condition_number.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/instruments/for_each_judged.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"

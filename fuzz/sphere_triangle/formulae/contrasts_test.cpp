@@ -8,7 +8,7 @@
 
 #include "fuzz/queries/family.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
-#include "kernel/sphere_triangle/reference/scalar.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

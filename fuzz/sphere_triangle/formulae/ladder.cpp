@@ -7,10 +7,10 @@
 
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/trait/side_error.h"
+#include "exact/sphere_triangle/unbounded.h"
+#include "exact/judge/side_error.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "kernel/formulae_list.h"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string_view>
 
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "fuzz/campaign/progress.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/sphere_triangle/formulae/contrasts.h"

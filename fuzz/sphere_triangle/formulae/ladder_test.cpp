@@ -1,12 +1,12 @@
 // The ladder: a row contains the results of one kernel only; windows equal the known ones; the number of threads has no
 // influence.
-#include "exact/trait/side_error.h"
+#include "exact/judge/side_error.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
 
 #include <gtest/gtest.h>
 
-#include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "exact/sphere_triangle/unbounded.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 
 namespace axiscert {
 namespace {

@@ -5,9 +5,9 @@
 #include <bit>
 #include <limits>
 
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/fields/merge.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "kernel/base/split_mix.h"

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "exact/numbers/number_format.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
+#include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/campaign/progress.h"
-#include "fuzz/fields/field.h"
+#include "fuzz/text/field.h"
 #include "fuzz/queries/source.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/sphere_triangle/unbounded/unbounded.h"
-#include "exact/sphere_triangle/unbounded/degree.h"
+#include "exact/sphere_triangle/unbounded.h"
+#include "exact/sphere_triangle/degree.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/base/error.h"
 #include "kernel/sphere_triangle/query.h"

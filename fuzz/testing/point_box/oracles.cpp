@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/trait/oracles_of.h"
+#include "exact/judge/oracles_of.h"
 #include "fuzz/testing/point_box/point_box.h"
 
 namespace axiscert {

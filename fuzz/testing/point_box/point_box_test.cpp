@@ -1,5 +1,5 @@
 // A second predicate from end to end: listed, run, judged, recorded, and piped through a program.
-#include "fuzz/fields/json_form.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/testing/point_box/point_box.h"
 
 #include <gmock/gmock.h>
@@ -8,11 +8,11 @@
 #include <cstring>
 #include <sstream>
 
-#include "exact/trait/oracles.h"
+#include "exact/judge/oracles.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/query_file.h"
-#include "fuzz/pipe/streams.h"
+#include "fuzz/files/streams.h"
 #include "kernel/ask.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -11,7 +11,7 @@
 // = n.A + s (n.B - n.A), off by 13.3 u M^2: the exact values are convex combinations, and |A.B - A.A| <= 2 M^2 rounds
 // twice.
 //
-// Never a missed contact (proofs/coq/conservative/Conservative.v; its constants come from there). The exact vertices
+// Never a missed contact (proofs/coq/certified/Conservative.v; its constants come from there). The exact vertices
 // separate if n.X > (r + u M) |n| for the computed ones.
 //   edge   m = min n.X^ - 10 u W is at most the exact one. It passes where m > 0 and m^2 > R (n.n^ + 18 u W), with
 //          R = rr + 18 u W: R >= (r + u M)^2, for 2 r u M <= 2 u W; n.n^ + 18 u W >= n.n (1 + 3 u), which the products
@@ -31,7 +31,7 @@
 //          |V^ - V| <= 5.66 u |AB| |CA|. Where |V| >= sqrt u |AB| |CA|, n = V^ has n.X / |n| >= rho - 11.4 sqrt u M,
 //          and passes above r + 4.3 sqrt u L: x >= 15.7. Otherwise the triangle lies within 2 sqrt u M of its longest
 //          edge, whose n has lost that much more: x >= 16.25.
-// The stated bound is x = 20, which proofs/coq/conservative/PhantomStep.v proves. Values below the ranges, V of 2^-30 W
+// The stated bound is x = 20, which proofs/coq/certified/PhantomStep.v proves. Values below the ranges, V of 2^-30 W
 // (2^-60 W) or an edge whose square underflows, mean a triangle within 2^-14 M (2^-29 M) of an edge or a vertex: 0.4 of
 // x at most.
 //
@@ -39,7 +39,7 @@
 // then every product compared is at least 18 u W 2^-60 (2^-120), a normal number, and below 2^122. Underflow in a dot
 // product is below 2^-140 (2^-1060), which the constants cover. The quotient of a very short edge may overflow: an
 // infinity is clamped to 0 or 1. Nothing else does, for any thirteen numbers
-// (proofs/coq/conservative/ConservativeFloat.v).
+// (proofs/coq/certified/ConservativeFloat.v).
 HWY_BEFORE_NAMESPACE();
 namespace axiscert::certified {
 namespace HWY_NAMESPACE {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kernel/sphere_triangle/certified/numbers/ball.h"
+#include "kernel/sphere_triangle/certified/ball.h"
 #include "kernel/sphere_triangle/certified/exact_test.h"
-#include "kernel/sphere_triangle/certified/numbers/widths.h"
+#include "kernel/sphere_triangle/certified/widths.h"
 
 namespace axiscert::certified {
 namespace {

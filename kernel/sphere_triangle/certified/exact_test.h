@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "kernel/sphere_triangle/certified/exact_step.h"
-#include "kernel/sphere_triangle/certified/numbers/exact_margins.h"
+#include "kernel/sphere_triangle/certified/exact_margins.h"
 
 namespace axiscert::certified {
 
@@ -65,9 +65,9 @@ bool some_axis_separates(const Test& test) noexcept {
   return false;
 }
 
-// The reduced test (kernel/sphere_triangle/formulae/reduced.h) with non-strict sides, which decides every triangle. For
+// The reduced test (kernel/sphere_triangle/forms/reduced.h) with non-strict sides, which decides every triangle. For
 // the open sphere the radii are non-strict too, on axes that have a normal: the distance is at least r > 0 iff some
-// such axis has the whole triangle at distance r or farther (exact/sphere_triangle/filters/signs.h, is_touching).
+// such axis has the whole triangle at distance r or farther (exact/sphere_triangle/oracles/signs.h, is_touching).
 template <class Numbers, class Known = KnownResults>
 class ExactTest {
  public:

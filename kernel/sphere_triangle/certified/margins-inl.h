@@ -1,6 +1,6 @@
 // The sixteen margins of the reduced form, each with a bound of its error computed from its leaves, over a number type
-// T of lanes: doubles for the fine step, pairs of doubles for the deep one. exact/sphere_triangle/filters/margins-inl.h
-// has the derivation, kernel/sphere_triangle/certified_filter/margin_bounds.h the constants. No include guard: included
+// T of lanes: doubles for the fine step, pairs of doubles for the deep one. exact/sphere_triangle/oracles/margins-inl.h
+// has the derivation, kernel/sphere_triangle/forms/margin_bounds.h the constants. No include guard: included
 // once for each of Highway's instruction sets, after coarse_step-inl.h.
 //
 // T::unit is U, the relative error that the derivation allows per operation; T::leading is the double nearest to a

@@ -1,5 +1,5 @@
 // The derivation of the certified predicate's thresholds, and the ranges that it holds in. The constants themselves are
-// those that Coq has proved, kernel/sphere_triangle/certified_filter/margin_bounds.h.
+// those that Coq has proved, kernel/sphere_triangle/forms/margin_bounds.h.
 //
 // u is the unit roundoff of the number type, 2^-24 or 2^-53; hats are computed values. Rounding is to nearest with
 // gradual underflow (kernel/sphere_triangle/certified/default_modes.h sets both). A fused multiply-add rounds once
@@ -12,7 +12,7 @@
 //   S = A.A + B.B + C.C + r^2,   e1 = |AB|^2, e2 = |BC|^2, e3 = |CA|^2,   E = e1 + e2 + e3,   e1 <= 2/3 E (and so on),
 //   N1 = A x AB and so on,   V = AB x AC,   |V| <= w = |AB| |CA| <= E / 2,   d = A.V.
 // The margins are those of the reduced form, whose signs are the published ones on every query
-// (kernel/sphere_triangle/formulae/reduced.h).
+// (kernel/sphere_triangle/forms/reduced.h).
 //
 // The coarse step: one threshold for the margins of each degree, from the query's magnitude S and the triangle's E.
 //   x.x           two leaves, a product, two sums                 5 u x.x
@@ -38,11 +38,11 @@
 // threshold, and every threshold is a normal number.
 //
 // The fine step is evaluated in doubles, the deep one in pairs of them, with a bound for each margin from the leaves of
-// its own: exact/sphere_triangle/filters/margins-inl.h derives it, where |x|o is the greatest component of a leaf and
+// its own: exact/sphere_triangle/oracles/margins-inl.h derives it, where |x|o is the greatest component of a leaf and
 // |x|1 the sum of three.
 #pragma once
 
-#include "kernel/sphere_triangle/certified_filter/margin_bounds.h"
+#include "kernel/sphere_triangle/forms/margin_bounds.h"
 
 namespace axiscert::certified {
 

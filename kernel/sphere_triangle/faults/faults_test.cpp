@@ -11,7 +11,7 @@
 #include "kernel/kernel.h"
 #include "kernel/include/axiscert/plugin.h"
 #include "kernel/predicate.h"
-#include "kernel/testing/random.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

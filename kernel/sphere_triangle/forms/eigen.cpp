@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 
 namespace axiscert {
 namespace {

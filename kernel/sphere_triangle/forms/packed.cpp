@@ -4,7 +4,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 
 namespace axiscert {
 namespace {

@@ -1,7 +1,7 @@
 // The published formulae on every instruction set.
 #include <cstring>
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them

@@ -1,7 +1,7 @@
 // The reduced formulae on every instruction set.
 #include <cstring>
 
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 
 #define HWY_COMPILE_ALL_ATTAINABLE  // the narrow sets too: `--target` must reach each of them
@@ -11,7 +11,7 @@
 #include "hwy/highway.h"
 
 #define AXISCERT_PER_TARGET
-#include "kernel/sphere_triangle/formulae/reduced.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
 #include "kernel/sphere_triangle/forms/simd-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,9 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "kernel/sphere_triangle/reference/scalar_kernel.h"
-#include "kernel/testing/random.h"
-#include "kernel/testing/sources.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
+#include "kernel/random_testing.h"
+#include "kernel/sources_testing.h"
 #include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {

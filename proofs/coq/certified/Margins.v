@@ -1,4 +1,4 @@
-(* The bounds beside the margins of exact/sphere_triangle/filters/margins-inl.h and
+(* The bounds beside the margins of exact/sphere_triangle/oracles/margins-inl.h and
    kernel/sphere_triangle/certified/margins-inl.h: each is proved to exceed its margin's error by a thirty-second part,
    which is left for the rounding of the bound itself and of the pair whose leading double is compared.
 

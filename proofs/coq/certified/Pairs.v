@@ -1,5 +1,5 @@
 (* The subtraction of the certified predicate's pairs of doubles, operator- of
-   kernel/sphere_triangle/certified/numbers/pairs-inl.h: over rounding to nearest with gradual underflow it meets the premise of
+   kernel/sphere_triangle/certified/pairs-inl.h: over rounding to nearest with gradual underflow it meets the premise of
    Margins.v with u = 2^-102, and its leading double that of sign_of_leading. Two differences over IEEE-754 numbers show why
    these are the premises: an error relative to the operands, not to the difference, and a theorem of its own for the leading
    double. *)

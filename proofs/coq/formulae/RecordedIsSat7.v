@@ -1,4 +1,4 @@
-(* The expressions recorded from kernel/sphere_triangle/formulae.h and kernel/sphere_triangle/formulae/reduced.h are those
+(* The expressions recorded from kernel/sphere_triangle/formulae.h and kernel/sphere_triangle/forms/reduced.h are those
    of Sat7.v: a changed formula breaks the proof. So the theorems hold for the recorded formulae. *)
 From Coq Require Import Reals.
 From Axiscert Require Import Vectors Sat7 Exact Reduced Recorded Sides.

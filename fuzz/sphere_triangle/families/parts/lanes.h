@@ -16,5 +16,5 @@
 
 #include "fuzz/sphere_triangle/families/parts/shapes.h"
 #include "fuzz/queries/family.h"
-#include "kernel/sphere_triangle/reference/evaluate.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "kernel/sphere_triangle/forms/simd.h"

@@ -2,7 +2,7 @@
 import {Body, Sphere, Trimesh, Vec3, World} from 'cannon-es';
 
 import {deepest, serve, spoken, verdictOf} from './frame.mjs';
-import {said} from './loaded/cannon.mjs';
+import {said} from './cannon-loaded.mjs';
 import {centre, mesh, radius} from './triangle.mjs';
 
 const world = new World();

@@ -5,7 +5,7 @@
 //   sweep        of the predicate moving-sphere: HP_World_ShapeCastWithCollector against the mesh. It takes where the centre
 //                ends, rounded here.
 import {hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf} from './frame.mjs';
-import {loadedHavok, nobody, noTurn, origin} from './loaded/havok.mjs';
+import {loadedHavok, nobody, noTurn, origin} from './havok-loaded.mjs';
 import {centre, end, form, mesh, radius} from './triangle.mjs';
 
 const asked = form({'mesh': {}, 'mesh-beside': {two: true}, 'hull': {hull: true}, 'sweep': {sweep: true}});

@@ -6,7 +6,7 @@
 //   sweep            of the predicate moving-sphere: TransformedShape.CastShape with the mesh, back faces too
 //   sweep-one-sided  the same, back faces ignored, as by default
 import {CONTACT, hit, SEPARATED, serve, spoken, UNDECIDED} from './frame.mjs';
-import {loadedJolt} from './loaded/jolt.mjs';
+import {loadedJolt} from './jolt-loaded.mjs';
 import {centre, form, mesh, motion, radius, unit, vertices} from './triangle.mjs';
 
 const asked = form({

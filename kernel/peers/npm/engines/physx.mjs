@@ -7,7 +7,7 @@
 //                   distance, both rounded here, and has none for a displacement of length 0, which is undecided. The
 //                   time is its distance over ours.
 import {hit, SEPARATED, serve, spoken, UNDECIDED, verdictOf, verdictWithin} from './frame.mjs';
-import {loadedPhysX} from './loaded/physx.mjs';
+import {loadedPhysX} from './physx-loaded.mjs';
 import {centre, form, mesh, motion, ofNearest, radius} from './triangle.mjs';
 
 const asked = form({

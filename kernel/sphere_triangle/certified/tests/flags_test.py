@@ -11,7 +11,7 @@ CXX = sys.argv[1]
 ROOT = pathlib.Path(__file__).resolve().parents[4]
 FOLDER = ROOT / "kernel/sphere_triangle/certified"
 SOURCES = ["exact_only.cpp", "exact_step.cpp", "forms.cpp", "library.cpp", "self_check.cpp",
-           "contact/contact_forms.cpp", "contact/contact_library.cpp", "contact/exact_contact.cpp"]
+           "contact_forms.cpp", "contact_library.cpp", "exact_contact.cpp"]
 SENTENCE = "libaxiscert is right"
 USER = """
 #include "kernel/include/axiscert/certified.hpp"

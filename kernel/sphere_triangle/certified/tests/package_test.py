@@ -118,7 +118,7 @@ else()
 endif()
 add_subdirectory(%s example)
 axiscert_add_plugin(my_kernel %s)
-""" % (EXAMPLE, ROOT / "examples/plugin/c/my_kernel.c")
+""" % (EXAMPLE, ROOT / "examples/plugin/my_kernel.c")
 
 
 class Included(unittest.TestCase):
