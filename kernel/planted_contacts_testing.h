@@ -113,6 +113,10 @@ inline std::vector<PlantedContact> planted_contacts() {
        [](MeasureColumns& m, const Batch&, std::size_t i) {
          if (i % 37 == 0) m[feature][i] = std::nanf("");
        }},
+      {"some-without-numbers",
+       [](MeasureColumns& m, const Batch&, std::size_t i) {
+         for (std::size_t k = 0; i % 37 == 0 && k < m.size(); ++k) m[k][i] = std::nanf("");
+       }},
       {"no-separation", [](MeasureColumns& m, const Batch&, std::size_t i) { m[separation][i] = std::nanf(""); }},
   };
 }

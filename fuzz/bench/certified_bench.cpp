@@ -1,9 +1,11 @@
-// The cost of exactness: `certified` and `conservative` beside the raw kernels and CGAL, on the same queries.
+// The cost of exactness: `certified` and `conservative` beside the raw kernels and CGAL, and the contacts beside those
+// of the libraries of kernel/peers, on the same queries.
 //
 //     certified_bench [--target T] [FAMILY...]
 //
 // Without names: all families and a mesh, and the cost of a large mesh. T is an instruction set from `axiscert
 // kernels`, by default the best one; one pair always uses the best.
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -22,7 +25,9 @@
 #include "fuzz/campaign/machine.h"
 #include "fuzz/queries/source.h"
 #include "kernel/include/axiscert/contact.hpp"
+#include "kernel/include/axiscert/plugin.h"
 #include "kernel/kernel.h"
+#include "kernel/plugin/load.h"
 #include "kernel/sphere_triangle/names.h"
 
 namespace axiscert {
@@ -177,13 +182,35 @@ struct TimedFunction {
   double nanoseconds() const { return median(seconds) / static_cast<double>(passes * query_count) * 1e9; }
 };
 
+// The libraries that give numbers beside a verdict of sphere-triangle, each called in this process as a plug-in.
+struct Peer {
+  std::string name;
+  const axiscert_kernel* kernel;
+};
+std::vector<Peer> peers_with_contacts() {
+  std::vector<Peer> found;
+  for (const plugin::ShippedPlugins& shipped : plugin::shipped_plugins()) {
+    if (shipped.prefix != "peer/") continue;
+    for (const std::string& name : shipped.names) {
+      const std::string path = *plugin::plugin_path(shipped.prefix + name);
+      void* const library = plugin::is_program(name, path) ? nullptr : dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+      if (library == nullptr) continue;
+      const auto kernels = reinterpret_cast<decltype(&axiscert_plugin)>(dlsym(library, "axiscert_plugin"));
+      for (std::uint32_t i = 0; const axiscert_kernel* kernel = kernels(i); ++i) {
+        if (kernel->measure_count != 0) found.push_back({name, kernel});
+      }
+    }
+  }
+  return found;
+}
+
 // Rows of the tables after the first.
 struct OtherRows {
-  std::string exact_only, contacts;
+  std::string exact_only, contacts, peers;
 };
 // Prints the row of a family, and adds its rows of the other tables.
 template <class Real>
-void measure(const Source& source, const std::string& target, OtherRows& rows) {
+void measure(const Source& source, const std::string& target, std::span<const Peer> peers, OtherRows& rows) {
   QueryBatch<Real> batch(query_count, coordinate_count);
   source.fill(1, 0, query_count, batch);
   const QueryColumns<Real> columns = batch.columns();
@@ -229,6 +256,22 @@ void measure(const Source& source, const std::string& target, OtherRows& rows) {
                      contacts += certified::contact(v.data(), v.data() + 9, at) == AXISCERT_CONTACT;
                    }
                  }});
+  std::vector<std::vector<Real>> measures(AXISCERT_MOST_MEASURES, std::vector<Real>(query_count));
+  std::vector<void*> to_measures;
+  for (std::vector<Real>& one : measures) to_measures.push_back(one.data());
+  std::vector<const void*> from(pointers.begin(), pointers.end());
+  const axiscert_batch asked{sizeof(axiscert_batch), query_count, coordinate_count, from.data()};
+  const std::size_t first_peer = all.size();
+  for (const Peer& peer : peers) {
+    if (peer.kernel->precision != 8 * sizeof(Real)) continue;
+    all.push_back({peer.name, [&, kernel = peer.kernel] {
+                     const axiscert_answers answers{.size = sizeof(axiscert_answers),
+                                                    .verdict = reinterpret_cast<std::uint8_t*>(verdicts.data()),
+                                                    .measure_count = kernel->measure_count,
+                                                    .measure = to_measures.data()};
+                     kernel->run(&asked, &answers);
+                   }});
+  }
   for (TimedFunction& timed : all) timed.find_passes();
   for (int i = 0; i < repetitions; ++i) {
     for (TimedFunction& timed : all) {
@@ -251,6 +294,9 @@ void measure(const Source& source, const std::string& target, OtherRows& rows) {
   const auto row = fmt::format("| {} | {} | {:.1f} |", source.name(), name(precision_of<Real>), all[2].nanoseconds());
   rows.exact_only += fmt::format("{} {} |\n", row, of(6, all[2].nanoseconds()));
   rows.contacts += fmt::format("{} {} | {} |\n", row, of(7, all[2].nanoseconds()), of(8, all[5].nanoseconds()));
+  for (std::size_t i = first_peer; i < all.size(); ++i)
+    rows.peers += fmt::format("| {} | {} | {} | {} |\n", source.name(), name(precision_of<Real>), all[i].name,
+                              of(i, all[7].nanoseconds()));
 }
 
 void run(std::vector<std::string_view> names) {
@@ -274,9 +320,10 @@ void run(std::vector<std::string_view> names) {
       "|---|---|---:|---:|---:|---:|---:|---:|---:|\n",
       processor_name(), compiler_name(), compiler_flags(), target, repetitions, query_count);
   OtherRows rows;
+  const std::vector<Peer> peers = peers_with_contacts();
   for (const SourcePtr& source : sources) {
-    measure<float>(*source, target, rows);
-    measure<double>(*source, target, rows);
+    measure<float>(*source, target, peers, rows);
+    measure<double>(*source, target, peers, rows);
   }
   fmt::print(
       "\nAXISCERT_EXACT_ONLY, straight to the exact step: (times certified)\n\n"
@@ -284,8 +331,11 @@ void run(std::vector<std::string_view> names) {
       "|---|---|---:|---:|\n{}"
       "\naxiscert_contact, with all numbers: many pairs (times certified), one pair (times one pair without them)\n\n"
       "| family | precision | certified | contacts | one contact |\n"
-      "|---|---|---:|---:|---:|\n{}",
-      rows.exact_only, rows.contacts);
+      "|---|---|---:|---:|---:|\n{}"
+      "\nLibraries as kernel/peers calls them, verdict and numbers: (times contacts)\n\n"
+      "| family | precision | library | ns |\n"
+      "|---|---|---|---:|\n{}",
+      rows.exact_only, rows.contacts, rows.peers.empty() ? "None was built.\n" : rows.peers);
   if (names.empty()) print_certified_streams();
 }
 

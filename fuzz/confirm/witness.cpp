@@ -267,6 +267,14 @@ void WitnessWriter::note_contacts(const ContactTally& contacts, ShownReasons& sh
       note(contacts.consistency->first[which], [which](bool) { return std::string(consistency_words[which]); });
     }
   }
+  const auto note_missing = [&](const auto& part, std::string_view what) {
+    if (part) note(part->first_none, [what](bool) { return missing_texts::of_answer(what); });
+  };
+  note_missing(contacts.separation, missing_texts::separation);
+  note_missing(contacts.feature, missing_texts::feature);
+  note_missing(contacts.normal, missing_texts::normal);
+  note_missing(contacts.pushed, missing_texts::push);
+  note_missing(contacts.point ? contacts.point : contacts.point_a, missing_texts::point);
   if (const auto& separation = contacts.separation) {
     note(separation->largest_error, largest("largest error of a separation", " of the scene"));
     note(separation->largest_length, largest("largest error of a separation", " in length"));

@@ -50,39 +50,42 @@ Json with_families(Json measured, const OnFamilies<Real>& others) {
   return measured;
 }
 
-bool lacks(const ContactJudgement& found, MeasureKind kind) {
+// Whether an answer gives a number, and whether it lacks it though there is one.
+struct Given {
+  bool is_given, is_missing;
+};
+Given given_of(const ContactJudgement& found, MeasureKind kind) {
   switch (kind) {
     case MeasureKind::separation:
-      return found.lacks_separation;
+      return {found.separation.has_value(), found.lacks_separation};
     case MeasureKind::feature:
-      return found.lacks_feature;
+      return {found.feature_is_right.has_value(), found.lacks_feature};
     case MeasureKind::normal:
-      return found.lacks_normal;
+      return {found.normal_length_error.has_value(), found.lacks_normal};
     default:
-      return found.lacks_point;
+      return {found.point_error || found.point_b_error, found.lacks_point};
   }
 }
 
 // The numbers that are given are right: whether some are missing, on any clear query that was judged.
 template <Enumeration Value, class Real>
 ProbeFinding right_or_missing(Subject<Real>& subject, MeasureKind kind, std::string sentence, Json measured) {
-  std::size_t judged = 0, missing = 0;
+  std::size_t of = 0, missing = 0;
   const JudgedContact<Real>* shown = nullptr;
   for (const bool of_families : {false, true}) {
     for (const JudgedContact<Real>& one : subject.judged_contacts(of_families)) {
       if (one.query.size() == 0 || one.found.missed) continue;
-      ++judged;
-      if (!lacks(one.found, kind)) continue;
-      ++missing;
-      if (shown == nullptr) shown = &one;
+      const Given given = given_of(one.found, kind);
+      of += given.is_given || given.is_missing;
+      missing += given.is_missing;
+      if (given.is_missing && shown == nullptr) shown = &one;
     }
   }
   if (shown == nullptr) return decided(Value::right, std::move(sentence), {}, std::move(measured));
   const char* const what = kind == MeasureKind::point_b ? "point" : name(kind).data();
-  return decided(
-      Value::missing,
-      fmt::format("{} It gives none beside {} of {} clear queries that have one.", sentence, missing, judged),
-      witness_of(subject, *shown, fmt::format("no {} is given", what)), {{"missing", missing}, {"of", judged}});
+  measured["missing"] = missing;
+  return decided(Value::missing, fmt::format("{} It gives none beside {} of {} that have one.", sentence, missing, of),
+                 witness_of(subject, *shown, fmt::format("no {} is given", what)), std::move(measured));
 }
 
 }  // namespace contacts
@@ -384,9 +387,9 @@ ProbeFinding contact_points(Subject<Real>& subject) {
                    fmt::format("{}: so on {} of {} clear queries.", like->sentence, wrong, all.size()), witnesses,
                    measured);
   if (has_pair) {
-    std::size_t asked = 0, exchanged = 0;
+    std::size_t met = 0, asked = 0, exchanged = 0;
     for (const JudgedContact<Real>& one : all) {
-      if (!is_wrong(one) || asked == most_exchanged) continue;
+      if (!is_wrong(one) || met++ * most_exchanged / wrong < asked) continue;  // evenly among the wrong ones
       JudgedContact<Real> other = one;
       const auto at = [&](MeasureKind which) {
         return other.measures.begin() + static_cast<std::ptrdiff_t>(*first_measure(subject.predicate(), which));
@@ -396,11 +399,11 @@ ProbeFinding contact_points(Subject<Real>& subject) {
       ++asked;
       exchanged += !is_wrong(other);
     }
-    if (holds_on_most(exchanged, asked))
+    if (asked >= fewest_judged && holds_on_most(exchanged, asked))
       return decided(Points::exchanged,
-                     fmt::format("It says of each body the point of the other: so on {} of {} clear queries that were "
-                                 "judged with its points exchanged.",
-                                 exchanged, asked),
+                     fmt::format("It says of each body the point of the other: so on {} of {} that are wrong, of {} on "
+                                 "{} clear queries.",
+                                 exchanged, asked, wrong, all.size()),
                      witnesses, measured);
   }
   return decided(Points::wrong,

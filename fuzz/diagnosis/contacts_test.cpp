@@ -36,21 +36,24 @@ std::map<std::string, std::string> said_of(const Kernel& kernel) {
 
 TEST(ContactProbes, NameEachPlantedFaultAndNoRightChoice) {
   using Said = std::map<std::string, std::string>;
-  const std::map<std::string, Said> due = {{"right", {}},
-                                           {"other-side-of-a-tie", {}},
-                                           {"nothing-beside-separated", {}},
-                                           {"flipped", {{"normal", "flipped"}}},
-                                           {"tilted", {{"normal", "tilted"}}},
-                                           {"not-normalised", {{"normal", "not_normalised"}}},
-                                           {"face-always", {{"feature", "one_part"}}},
-                                           {"depth-against-the-plane", {{"separation", "against_plane"}}},
-                                           {"on-the-sphere", {{"contact_point", "other_body"}}},
-                                           {"margin-of-5-mm", {{"separation", "margin"}}},
-                                           {"never-positive", {{"separation", "never_positive"}}},
-                                           {"some-points-missing", {{"contact_point", "missing"}}},
-                                           {"some-normals-missing", {{"normal", "missing"}}},
-                                           {"some-features-missing", {{"feature", "missing"}}},
-                                           {"no-separation", {{"separation", "not_known"}}}};
+  const std::map<std::string, Said> due = {
+      {"right", {}},
+      {"other-side-of-a-tie", {}},
+      {"nothing-beside-separated", {}},
+      {"flipped", {{"normal", "flipped"}}},
+      {"tilted", {{"normal", "tilted"}}},
+      {"not-normalised", {{"normal", "not_normalised"}}},
+      {"face-always", {{"feature", "one_part"}}},
+      {"depth-against-the-plane", {{"separation", "against_plane"}}},
+      {"on-the-sphere", {{"contact_point", "other_body"}}},
+      {"margin-of-5-mm", {{"separation", "margin"}}},
+      {"never-positive", {{"separation", "never_positive"}}},
+      {"some-points-missing", {{"contact_point", "missing"}}},
+      {"some-normals-missing", {{"normal", "missing"}}},
+      {"some-features-missing", {{"feature", "missing"}}},
+      {"some-without-numbers",
+       {{"separation", "missing"}, {"normal", "missing"}, {"feature", "missing"}, {"contact_point", "missing"}}},
+      {"no-separation", {{"separation", "not_known"}}}};
   const Kernel& right = find_kernel("minkowski");
   for (const PlantedContact& planted : planted_contacts()) {
     if (planted.name == std::string_view("no-separation")) continue;  // which has no query to show

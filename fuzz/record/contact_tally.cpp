@@ -161,13 +161,17 @@ void count_contact(ContactTally& tally, std::uint64_t position, const ContactJud
   count_error_of(*tally.point_a, position, judgement.point_a_error);
   count_error_of(*tally.point_b, position, judgement.point_b_error);
   count_error_of(*tally.points, position, judgement.points_apart);
-  if (judgement.lacks_separation) ++tally.separation->none;
-  if (judgement.lacks_feature) ++tally.feature->none;
-  if (judgement.lacks_normal) ++tally.normal->none;
-  if (judgement.lacks_push) ++tally.pushed->none;
-  if (judgement.lacks_point) {
-    for (auto* const points : {&tally.point, &tally.point_a, &tally.point_b}) ++(*points)->none;
-  }
+  const auto count_missing = [position](auto& part, bool is_missing) {
+    if (!is_missing) return;
+    ++part->none;
+    part->first_none.offer({true, position});
+  };
+  count_missing(tally.separation, judgement.lacks_separation);
+  count_missing(tally.feature, judgement.lacks_feature);
+  count_missing(tally.normal, judgement.lacks_normal);
+  count_missing(tally.pushed, judgement.lacks_push);
+  for (auto* const points : {&tally.point, &tally.point_a, &tally.point_b})
+    count_missing(*points, judgement.lacks_point);
 }
 
 void AnswerSet::add(std::uint64_t position) {

@@ -184,6 +184,7 @@ struct SeparationTally {
   Leaders<double> largest_error, largest_length;
   Leaders<Decimal6> largest_ulps, largest_in_u;
   std::optional<LessMarginTally> less_margin;
+  Leaders<bool> first_none;
 
   // The greatest errors that it is judged by.
   bool has_margin() const { return less_margin && less_margin->largest_error.best() < largest_error.best(); }
@@ -207,7 +208,8 @@ struct SeparationTally {
         field(&Of::largest_in_u,
               figure_of("judged", "largest_in_u", "Greatest difference in u = 2^-24 or 2^-53 of the scene.", "u")),
         field(&Of::less_margin,
-              {.name = "less_margin", .about = LessMarginTally::about, .may_be_absent = true, .looked_at = "judged"}));
+              {.name = "less_margin", .about = LessMarginTally::about, .may_be_absent = true, .looked_at = "judged"}),
+        journalled(&Of::first_none));
   }
 };
 
@@ -215,7 +217,7 @@ struct FeatureTally {
   std::uint64_t judged = 0, none = 0, wrong = 0, unnamed = 0;
   GivenTally given;
   Leaders<double> largest_error;
-  Leaders<bool> first_wrong;
+  Leaders<bool> first_wrong, first_none;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
@@ -237,7 +239,7 @@ struct FeatureTally {
                   "region in which the "
                   "part that is named is nearest, relative to the scene; of those that name one.",
                   "of the scene")),
-        journalled(&FeatureTally::first_wrong));
+        journalled(&FeatureTally::first_wrong), journalled(&FeatureTally::first_none));
   }
 };
 
@@ -245,6 +247,7 @@ struct NormalTally {
   std::uint64_t judged = 0, lengths = 0, none = 0;
   GivenTally given;
   Leaders<double> largest_angle, largest_length_error;
+  Leaders<bool> first_none;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
@@ -257,9 +260,10 @@ struct NormalTally {
         field(&NormalTally::largest_angle,
               figure_of("judged", "largest_angle", "Greatest angle between it and the exact one, in radians.",
                         "radians")),
-        field(&NormalTally::largest_length_error,
-              figure_of("lengths", "largest_length_error", "Greatest difference of its length from 1.",
-                        "of its length")));
+        field(
+            &NormalTally::largest_length_error,
+            figure_of("lengths", "largest_length_error", "Greatest difference of its length from 1.", "of its length")),
+        journalled(&NormalTally::first_none));
   }
 };
 
@@ -267,7 +271,7 @@ struct NormalTally {
 struct PushTally {
   std::uint64_t judged = 0, none = 0, nowhere = 0, flips = 0;
   Leaders<Decimal6> largest_left;
-  Leaders<bool> first_flip;
+  Leaders<bool> first_flip, first_none;
 
   std::uint64_t with_a_side() const { return judged - nowhere; }
 
@@ -293,7 +297,7 @@ struct PushTally {
                                     "the exact side is within the rounding of a difference of the query's numbers.")),
         field(&Of::largest_left, figure_of("judged", "largest_left",
                                            "The most that is left, rounded up; 0 where nothing is.", "of the depth")),
-        journalled(&Of::first_flip));
+        journalled(&Of::first_flip), journalled(&Of::first_none));
   }
 };
 
@@ -301,6 +305,7 @@ struct PointTally {
   std::uint64_t judged = 0, none = 0;
   GivenTally given;
   Leaders<double> largest_error;
+  Leaders<bool> first_none;
 
   static constexpr auto fields(auto&& visit) {
     return visit(
@@ -313,7 +318,8 @@ struct PointTally {
             figure_of("judged", "largest_error",
                       "Greatest distance from the exact point, of motions at the first contact; of two bodies from the "
                       "body whose point it is. Relative to the scene.",
-                      "of the scene")));
+                      "of the scene")),
+        journalled(&PointTally::first_none));
   }
 };
 
@@ -370,6 +376,14 @@ struct ContactTally {
                  field(&Of::points, {"points", "Null where the kernel does not give both."}));
   }
 };
+
+// "an answer without a point": as witnesses say it, by which levels find them.
+namespace missing_texts {
+inline constexpr std::string_view separation = "without a separation", feature = "without a feature",
+                                  normal = "without a normal", push = "without a normal along which to push",
+                                  point = "without a point";
+inline std::string of_answer(std::string_view what) { return std::string("an answer ").append(what); }
+}  // namespace missing_texts
 
 // Calls visit(kind, part) for each number, with the part of the tally that has its GivenTally.
 void for_each_number(auto& tally, auto&& visit) {

@@ -116,13 +116,14 @@ void for_each_part(const Subject& subject, std::optional<Part> ContactTally::*me
   }
 }
 
-// A number that is missing beside others fails the level that is about it, as a wrong one does.
+// A number that is missing fails the level that is about it, as a wrong one does, where most are given.
 template <class Part>
 void add_missing(const Subject& subject, LevelFindings& found, std::optional<Part> ContactTally::*member,
                  std::string_view what) {
+  if (!found.not_checked.empty()) return;
   for_each_part(subject, member, [&](const std::string& family, const Part& part) {
-    subject.add_shown(found.failures, family, part.none, fmt::format("answers without a {}, though there is one", what),
-                      consistency_words[Consistency::missing]);
+    subject.add_shown(found.failures, family, part.none, fmt::format("answers {}, though there is one", what),
+                      missing_texts::of_answer(what));
   });
 }
 
@@ -158,13 +159,13 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
   const double metres_of_unit = metres_of(subject.record().plan);
   LevelFindings found = look_at(subject, counts_of(&ContactTally::separation), MeasureKind::separation, "separation",
                                 "a separation to compare");
+  add_missing(subject, found, &ContactTally::separation, missing_texts::separation);
   for_each_part(subject, &ContactTally::consistency, [&](const std::string& family, const ConsistencyTally& tally) {
     const auto add = [&](std::uint64_t count, const char* what, Consistency which) {
       subject.add_shown(found.failures, family, count, what, consistency_words[which]);
     };
     add(tally.positive, "contacts with a separation above 0", Consistency::positive);
     add(tally.negative, "separations below 0 beside separated", Consistency::negative);
-    add(tally.missing, "answers without one of their numbers", Consistency::missing);
   });
   for_each_part(subject, &ContactTally::separation, [&](const std::string& family, const SeparationTally& tally) {
     const double share = tally.worst_share(), length = tally.worst_length(), metres = length * metres_of_unit;
@@ -184,7 +185,7 @@ LevelFindings judge_separation(const AskedLevel& asked, const Subject& subject) 
 LevelFindings judge_feature(const AskedLevel& asked, const Subject& subject) {
   LevelFindings found =
       look_at(subject, counts_of(&ContactTally::feature), MeasureKind::feature, "feature", "a feature to compare");
-  add_missing(subject, found, &ContactTally::feature, "feature");
+  add_missing(subject, found, &ContactTally::feature, missing_texts::feature);
   for_each_part(subject, &ContactTally::feature, [&](const std::string& family, const FeatureTally& feature) {
     if (!asked.has_argument) {
       subject.add_shown(found.failures, family, feature.wrong, "wrong features", "a wrong feature");
@@ -213,9 +214,9 @@ void add_worst(const Subject& subject, LevelFindings& found, const std::string& 
 // Normals beside separations alone say nothing of those beside contacts, by which bodies are pushed.
 LevelFindings look_at_normals(const Subject& subject, const Counts& counts, std::string_view without) {
   LevelFindings found = look_at(subject, counts, MeasureKind::normal, "normal", without);
-  add_missing(subject, found, &ContactTally::normal, "normal");
   if (found.not_checked.empty())
     found.not_checked = seldom_text(subject, counts_of(&ContactTally::pushed), "normal of an overlap");
+  add_missing(subject, found, &ContactTally::normal, missing_texts::normal);
   return found;
 }
 
@@ -250,7 +251,7 @@ LevelFindings look_at_pushed(const Subject& subject, const Counts& counts) {
     found = {};
     found.not_checked = "in a predicate of motions nothing is pushed out of another";
   }
-  add_missing(subject, found, &ContactTally::pushed, "normal along which to push");
+  add_missing(subject, found, &ContactTally::pushed, missing_texts::push);
   return found;
 }
 
@@ -288,8 +289,7 @@ LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
       has_pair
           ? look_at(subject, counts_of(&ContactTally::point_b), MeasureKind::point_b, "point", "a point to compare")
           : look_at(subject, counts_of(&ContactTally::point), MeasureKind::point, "point", "a point to compare");
-  if (has_pair) add_missing(subject, found, &ContactTally::point_b, "point");
-  else add_missing(subject, found, &ContactTally::point, "point");
+  add_missing(subject, found, has_pair ? &ContactTally::point_b : &ContactTally::point, missing_texts::point);
   const auto check = [&](auto member, const char* what, const char* shown) {
     for_each_part(subject, member, [&](const std::string& family, const auto& tally) {
       add_worst(subject, found, family, tally.largest_error.best(), most, what, " of the scene", shown);
@@ -303,10 +303,9 @@ LevelFindings judge_point(const AskedLevel& asked, const Subject& subject) {
 }
 
 std::string feature_sentence(const AskedLevel& asked) {
-  if (!asked.has_argument) return "no feature that is wrong, or missing beside other numbers";
-  return fmt::format(
-      "no feature that is missing beside other numbers, or from whose region the centre is more than {} of the scene",
-      number_argument(asked, scene_bound));
+  if (!asked.has_argument) return "no feature that is wrong or missing";
+  return fmt::format("no feature that is missing, or from whose region the centre is more than {} of the scene",
+                     number_argument(asked, scene_bound));
 }
 
 constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"}, degrees[] = {"0.1"};
@@ -335,10 +334,8 @@ extern const GateLevel separation_level = {
     .check = [](const AskedLevel& asked) { size_limit(asked, separation_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format(
-              "no separation that is off by more than {}, contradicts its verdict, or is missing beside "
-              "other numbers",
-              size_limit(asked, separation_bound).text("of the scene"));
+          return fmt::format("no separation that is off by more than {}, contradicts its verdict, or is missing",
+                             size_limit(asked, separation_bound).text("of the scene"));
         },
     .judge = judge_separation,
     .in_certificates = shares};
@@ -360,7 +357,7 @@ extern const GateLevel normal_level = {
     .check = [](const AskedLevel& asked) { number_argument(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format("no normal that is missing beside other numbers, or off by more than {} degrees",
+          return fmt::format("no normal that is missing, or off by more than {} degrees",
                              number_argument(asked, angle_bound));
         },
     .judge = judge_normal,
@@ -400,9 +397,8 @@ extern const GateLevel point_level = {
     .check = [](const AskedLevel& asked) { number_argument(asked, scene_bound); },
     .sentence =
         [](const AskedLevel& asked) {
-          return fmt::format(
-              "no point of contact that is missing beside other numbers, or off by more than {} of the scene",
-              number_argument(asked, scene_bound));
+          return fmt::format("no point of contact that is missing, or off by more than {} of the scene",
+                             number_argument(asked, scene_bound));
         },
     .judge = judge_point,
     .in_certificates = shares};

@@ -241,9 +241,10 @@ TEST(ContactLevels, EachPlantedFaultOfASphereAndATriangleIsSeenByItsLevels) {
       {"on-the-sphere", {by_point}},
       {"margin-of-5-mm", {by_length}},
       {"never-positive", {by_length}},
-      {"some-points-missing", {by_length, by_point}},
-      {"some-normals-missing", {by_length, by_angle, by_unit, by_flip, by_left}},
+      {"some-points-missing", {by_point}},
+      {"some-normals-missing", {by_angle, by_unit, by_flip, by_left}},
       {"some-features-missing", {by_feature}},
+      {"some-without-numbers", {by_length, by_angle, by_unit, by_flip, by_left, by_point, by_feature}},
       {"no-separation", {by_length}}};
   const Kernel& right = find_kernel("minkowski");
   const std::vector<PlantedContact> all = planted_contacts();

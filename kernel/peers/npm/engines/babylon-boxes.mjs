@@ -3,7 +3,7 @@
 import {BoundingInfo} from '@babylonjs/core/Culling/boundingInfo.js';
 import {Matrix, Vector3} from '@babylonjs/core/Maths/math.vector.js';
 
-import {serve, verdictOf} from 'frame.mjs';
+import {serve, verdictOf} from './frame.mjs';
 import {matrices} from './box.mjs';
 
 const infoOf = ({m, s, axes: [x, y, z]}) => new BoundingInfo(

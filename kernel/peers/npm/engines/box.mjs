@@ -1,5 +1,5 @@
 // The boxes of a query as engines take them.
-import {UNDECIDED} from 'frame.mjs';
+import {UNDECIDED} from './frame.mjs';
 
 // A box of the entry matrix: centre, half extents and axes, from column `k` on; or null. Engines take a rotation, and the
 // axes need not be one: those within 2^-10 of orthonormal are given as they stand, the third with its sign changed where

@@ -3,9 +3,9 @@
 //   axes  ConvexPolyhedron.findSeparatingAxis of theirs, without the clipping that follows it
 import {Body, Box, Quaternion, Vec3, World} from 'cannon-es';
 
-import {deepest, pair, serve, verdictOf} from 'frame.mjs';
-import {said} from 'cannon-loaded.mjs';
-import {form} from 'triangle.mjs';
+import {deepest, pair, serve, verdictOf} from './frame.mjs';
+import {said} from './cannon-loaded.mjs';
+import {form} from './triangle.mjs';
 import {quaternions} from './box.mjs';
 
 const world = new World();

@@ -1,9 +1,9 @@
 // Havok: HP_World_ShapeProximityWithCollector of a box against a static body, distance 0.
 //   box   a box
 //   mesh  of the predicate box-triangle: HP_Shape_CreateMesh
-import {pair, serve, UNDECIDED, verdictOf} from 'frame.mjs';
-import {loadedHavok, noTurn, origin} from 'havok-loaded.mjs';
-import {form} from 'triangle.mjs';
+import {pair, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {loadedHavok, noTurn, origin} from './havok-loaded.mjs';
+import {form} from './triangle.mjs';
 import {placedAt, quaternions, single} from './box.mjs';
 
 const isMesh = form({'box': false, 'mesh': true});

@@ -4,9 +4,9 @@
 //   box-sharp     the same with convex radius 0
 //   mesh          of the predicate box-triangle: CollideShape of a BoxShape of convex radius 0 with a MeshShape of one
 //                 triangle, back faces collide
-import {CONTACT, pair, SEPARATED, serve, UNDECIDED, verdictOf} from 'frame.mjs';
-import {loadedJolt} from 'jolt-loaded.mjs';
-import {form} from 'triangle.mjs';
+import {CONTACT, pair, SEPARATED, serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {loadedJolt} from './jolt-loaded.mjs';
+import {form} from './triangle.mjs';
 import {matrices, quaternions, single} from './box.mjs';
 
 const asked = form({

@@ -1,7 +1,7 @@
 // Jolt with a world of nothing, and shapes of it.
 import initialized from 'jolt-physics';
 
-import {unit} from 'triangle.mjs';
+import {unit} from './triangle.mjs';
 
 export async function loadedJolt() {
   const Jolt = await initialized();

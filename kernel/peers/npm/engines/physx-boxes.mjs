@@ -1,9 +1,9 @@
 // PhysX: PxGeometryQuery.overlap.
 //   box   two boxes
 //   mesh  of the predicate box-triangle: a box and a triangle mesh, cooked as by default, which cleans it
-import {serve, UNDECIDED, verdictOf} from 'frame.mjs';
-import {loadedPhysX} from 'physx-loaded.mjs';
-import {form} from 'triangle.mjs';
+import {serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {loadedPhysX} from './physx-loaded.mjs';
+import {form} from './triangle.mjs';
 import {quaternions, single} from './box.mjs';
 
 const isMesh = form({'box': false, 'mesh': true});

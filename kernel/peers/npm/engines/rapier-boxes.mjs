@@ -5,8 +5,8 @@
 //   trimesh         of the predicate box-triangle: the same, a TriMesh
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import {pair, SEPARATED, serve, verdictOf} from 'frame.mjs';
-import {form} from 'triangle.mjs';
+import {pair, SEPARATED, serve, verdictOf} from './frame.mjs';
+import {form} from './triangle.mjs';
 import {corners, quaternions, single} from './box.mjs';
 
 const vector = (v) => ({x: v[0], y: v[1], z: v[2]});

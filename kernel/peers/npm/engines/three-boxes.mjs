@@ -4,8 +4,8 @@
 import {Box3, Matrix3, Triangle, Vector3} from 'three';
 import {OBB} from 'three/examples/jsm/math/OBB.js';
 
-import {serve, verdictOf} from 'frame.mjs';
-import {form} from 'triangle.mjs';
+import {serve, verdictOf} from './frame.mjs';
+import {form} from './triangle.mjs';
 import {corners, matrices} from './box.mjs';
 
 const vector = (v) => new Vector3(v[0], v[1], v[2]);

@@ -4,8 +4,8 @@
 import {Matrix4, Triangle, Vector3} from 'three';
 import {OrientedBox} from 'three-mesh-bvh';
 
-import {serve, UNDECIDED, verdictOf} from 'frame.mjs';
-import {form} from 'triangle.mjs';
+import {serve, UNDECIDED, verdictOf} from './frame.mjs';
+import {form} from './triangle.mjs';
 import {corners, placed} from './box.mjs';
 
 const vector = (v) => new Vector3(v[0], v[1], v[2]);
