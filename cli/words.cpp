@@ -156,7 +156,10 @@ void add_figures(const Json& schema, const std::string& place, const std::string
     const bool is_schema = keyword == "items" || keyword == "additionalProperties";
     if (is_schema && part.is_object()) add_figures(part, place, name, found);
     if (keyword != "anyOf") continue;
-    for (const Json& one : part) add_figures(one, place, name, found);
+    for (Json one : part) {  // what may be null too
+      if (schema.contains("description") && !one.contains("description")) one["description"] = schema["description"];
+      add_figures(one, place, name, found);
+    }
   }
   if (is_path && schema.contains("propertyNames"))
     for (const Json& member : schema["propertyNames"].value("enum", Json::array())) add(member, Json::object());
