@@ -151,10 +151,12 @@ class HelpOfCommands(Case):
         (self.folder / "mine.jsonl").write_text(QUERY % 1)
         shutil.copy(BUILD / "faults/none.so", self.folder / "my_kernel.so")
         (self.folder / "corpus").mkdir()
+        few = {"league": "--no-engines", "shrink": "--evaluations 20", "run": "--trials 32"}  # engines take minutes where they are installed
         def run(line):
-            arguments = line.split(" > ")[0].split()[1:]
-            if arguments[0] == "league" and "--no-engines" not in arguments:
-                arguments.append("--no-engines")  # which take minutes where they are installed
+            arguments = re.sub(r"--trials \d+", "--trials 32", line.split(" > ")[0]).split()[1:]
+            more = few.get(arguments[0], "").split()
+            if more and more[0] not in arguments:
+                arguments += more
             return subprocess.run([BUILD / "axiscert", *arguments], cwd=self.folder, capture_output=True, text=True, timeout=300)
 
         ran = 0

@@ -65,8 +65,8 @@ class Game(Case):
         subprocess.run(["cc", "-O2", "-shared", "-fPIC", f"-I{ROOT}/kernel/include", source, "-o", file, "-lm"], check=True)
         return f"plugin:{file}"
 
-    def game(self, kernel, *more):
-        return axiscert("run", "--kernel", kernel, "--preset", "game", "--trials", "4096", "--out", self.folder / "out", *more)
+    def game(self, *kernels_and_more, trials=4096):
+        return axiscert("run", *kernels_and_more, "--preset", "game", "--trials", trials, "--out", self.folder / "out")
 
     def test_a_right_kernel_meets_it_in_ten_lines(self):
         done = self.game(self.built())
@@ -88,7 +88,7 @@ class Game(Case):
 
     def test_two_precisions_are_ten_lines_too(self):
         for kernel in ("published", "minkowski", "moving-sphere/fauerby", "moving-sphere/rounded", "box-box/slip-book", "box-triangle/thirteen"):
-            done = axiscert("run", "--kernel", kernel, "--preset", "game", "--trials", "512", "--out", self.folder / "out")
+            done = self.game(kernel, trials=512)
             printed = (done.stdout + done.stderr).splitlines()
             self.assertLessEqual(len(printed), 10, done.stdout + done.stderr)
             for precision in ("binary32", "binary64"):
@@ -97,18 +97,17 @@ class Game(Case):
             self.assertEqual(len([line for line in printed if ": met: " in line or ": not met: " in line]), 1 + (": not met: " in done.stderr and ": met: " in done.stdout))
 
     def test_times_are_held_to_a_millimetre_where_there_are_some(self):
-        done = axiscert("run", "--kernel", "moving-sphere/rounded", "--preset", "game", "--trials", "512", "--out", self.folder / "out")
+        done = self.game("moving-sphere/rounded", trials=96)
         self.assertRegex(done.stdout, r"everyday scenes: .*; [0-9,]+ times late, by \S+ \S+ at most, \S+ of the way; [0-9,]+ times early, by \S+ \S+ at most")
         plan = json.loads((self.folder / "out/record.json").read_text())["plan"]
         self.assertEqual(plan["require"], ["depth=1mm", "logic", "early=1mm", "never-late=1mm"])
         late = self.built(lambda _: LATE)
-        done = self.game(late, "--precision", "binary32")
+        done = self.game(late, trials=512)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"times late, by (9\.\d+ mm|1 cm|1\.0\d cm) at most")
         self.assertRegex(done.stderr, r": not met: .*never-late=1mm")
         self.assertNotIn("early=1mm", done.stderr)
-        untimed = axiscert("run", "--kernel", "moving-sphere/rounded", "--kernel", self.built(lambda _: UNTIMED), "--preset", "game", "--trials", "512",
-                           "--precision", "binary32", "--out", self.folder / "out")
+        untimed = self.game("moving-sphere/rounded", self.built(lambda _: UNTIMED), "--precision", "binary32", trials=32)
         self.assertIn("NOT CHECKED, which is allowed: early=1mm, never-late=1mm: the kernel gives no time of contact\n", untimed.stdout)
 
     def test_every_predicate_has_scenes(self):

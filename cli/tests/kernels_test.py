@@ -79,9 +79,11 @@ class Kernels(Case):
         self.assertEqual(calls[1:], refused.split("; modes: ")[1].split(", "))
 
     def test_the_slips_are_specification_faults(self):
-        for kernel in ("first-publication", "vertex-typo"):
-            record = self.run_ok("--kernel", kernel, "--family", "general", "--trials", 100000 // DIVISOR,
-                                 "--precision", "binary32", "--require", "logic", code=1)
+        slips = ("first-publication", "vertex-typo")
+        record = self.run_ok(*slips, "--family", "general", "--trials", 100000 // DIVISOR, "--precision", "binary32", "--require", "logic", code=1)
+        told = json.loads((self.folder / "out/run.json").read_text())["requirements"]
+        self.assertEqual([(one["kernel"], one["state"]) for one in told], [(kernel, "not met") for kernel in slips])
+        for kernel in slips:
             self.assertGreater(family(record, "general", kernel=kernel)["verdict"]["links"]["specification"], 0)
 
     def test_the_reduced_test_has_no_fault_of_logic(self):

@@ -62,6 +62,39 @@ TEST(ContactProbes, NameEachPlantedFaultAndNoRightChoice) {
   }
 }
 
+// Those of kernel/boxes/contact_faults, which box_contacts_test.py diagnoses some of as plug-ins.
+TEST(ContactProbes, NameEachPlantedFaultOfTwoBoxes) {
+  constexpr std::size_t separation = 0, normal = 1;
+  const auto value = [](const char* name, ProbeFinding (*probe)(Subject<float>&),
+                        void (*change)(MeasureColumns&, std::size_t)) {
+    const Kernel kernel =
+        with_edit(find_kernel("box-box/cofactor"), name,
+                  [change](MeasureColumns& m, const QueryColumns<float>&, std::size_t i) { change(m, i); });
+    const DiagnosisOptions options;
+    Subject<float> subject(kernel, options);
+    return probe(subject).value;
+  };
+  const auto flip = [](MeasureColumns& m, std::size_t i) {
+    for (std::size_t k = normal; k < normal + 3; ++k) m[k][i] *= -1;
+  };
+  const auto tilt = [](MeasureColumns& m, std::size_t i) {  // by 1e-3, about an axis that it is far from
+    const std::size_t other = std::fabs(m[normal + 2][i]) > 0.9f ? normal + 2 : normal + 1;
+    const float x = m[normal][i], y = m[other][i], angle = 1e-3f;
+    m[normal][i] = x * std::cos(angle) - y * std::sin(angle);
+    m[other][i] = x * std::sin(angle) + y * std::cos(angle);
+  };
+  const auto lengthen = [](MeasureColumns& m, std::size_t i) {
+    for (std::size_t k = normal; k < normal + 3; ++k) m[k][i] *= 1.5f;
+  };
+  EXPECT_EQ(value("flipped", normals<float>, flip), "flipped");
+  EXPECT_EQ(value("tilted", normals<float>, tilt), "tilted");
+  EXPECT_EQ(value("not-unit", normals<float>, lengthen), "not_normalised");
+  EXPECT_EQ(value("halved", separations<float>, [](MeasureColumns& m, std::size_t i) { m[separation][i] *= 0.5f; }),
+            "scaled");
+  EXPECT_EQ(value("margin", separations<float>, [](MeasureColumns& m, std::size_t i) { m[separation][i] -= 0.01f; }),
+            "margin");
+}
+
 // A normal may be far off for rounding now and then: not to the other side, nor in its length.
 TEST(ContactProbes, NameANormalThatIsOffNowAndThen) {
   // The normal times `few` on about one query in 37, by a hash of it, and times `most` on the others.

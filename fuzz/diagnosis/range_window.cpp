@@ -154,7 +154,7 @@ namespace {
 
 template <class Real>
 std::optional<WindowRecord> window_of(const Kernel& kernel, const DiagnosisOptions& options) {
-  Subject<Real> subject(kernel, options);
+  Subject<Real> subject(kernel, options, false);
   WindowScan<Real> scan(subject);
   if (scan.size() == 0 || !scan.tells()) return std::nullopt;
   const ExponentWindow scanned = scenes_of<Real>(subject.predicate()).scanned(precision_of<Real>);

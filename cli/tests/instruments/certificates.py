@@ -1,6 +1,7 @@
 """Parts that the tests of `certify` and `verify` share: certificates that are made once, keys, and files that were written by hand."""
 import hashlib
 import json
+import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -43,7 +44,6 @@ def without_family(predicate, family=None):
 
 class CertifyCase(Case):
     """A certificate is made once for each kernel."""
-    made = {}
 
     @classmethod
     def setUpClass(cls):
@@ -66,6 +66,16 @@ class CertifyCase(Case):
         if not out.exists():
             self.certify(kernel, *args, out=out)
         return out / "certificate.json"
+
+    def signed(self):
+        """The certificate of published with a signature, and the key that checks it: what was asked is not asked again."""
+        private, public = self.keys()
+        out = self.folder_of("signed")
+        if not out.exists():
+            shutil.copytree(self.certificate_of("published").parent, out)
+            (out / "certificate.json").unlink()
+            self.certify("published", "--key", private, "--resume", out=out)
+        return out / "certificate.json", public
 
     def verify(self, cert, *args, code=0, says=()):
         done = axiscert("verify", cert, *args)

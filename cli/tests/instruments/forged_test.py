@@ -44,8 +44,7 @@ class Forged(CertifyCase):
         self.not_valid(lambda p: p["levels"][0].update(looked_at="everything"), "is not what its counts say")
 
     def test_levels_and_signed_by_a_key_of_the_forger(self):
-        private, public = self.keys()
-        signed = self.certificate_of("published", "--key", private, name="signed")
+        signed, public = self.signed()
         envelope = json.loads(signed.read_text())
         statement = json.loads(base64.b64decode(envelope["payload"]))
         for level in statement["predicate"]["levels"]:
@@ -54,7 +53,7 @@ class Forged(CertifyCase):
         payload = sealed(statement)[:-1]
         kind = envelope["payloadType"].encode()
         bytes_signed = self.written(b"DSSEv1 %d %s %d %s" % (len(kind), kind, len(payload), payload), "pae")
-        signature = openssl("pkeyutl", "-sign", "-inkey", private, "-rawin", "-in", bytes_signed)
+        signature = openssl("pkeyutl", "-sign", "-inkey", self.keys()[0], "-rawin", "-in", bytes_signed)
         envelope["payload"] = base64.b64encode(payload).decode()
         envelope["signatures"][0]["sig"] = base64.b64encode(signature).decode()
         self.verify(self.written(canonical(envelope)), "--key", public, code=1,

@@ -64,12 +64,6 @@ class Verify(CertifyCase):
         self.verify(cert, says=["made by 0.0.9", "plan: NOT CHECKED", "VALID as far as it could be checked"])
         self.verify(cert, "--recheck", "1%", code=2, says=["cannot be rechecked here: it was made by axiscert 0.0.9", "tangent"])
 
-
-class Signed(CertifyCase):
-    def signed(self):
-        private, public = self.keys()
-        return self.certificate_of("published", "--key", private, name="signed"), public
-
     def test_its_signature_is_that_of_the_standard(self):
         cert, public = self.signed()
         envelope = json.loads(cert.read_text())
@@ -110,10 +104,7 @@ class Signed(CertifyCase):
         self.verify(self.written(canonical(dict(envelope, payloadType="text/plain"))), code=2, says=["payloadType is text/plain"])
         self.verify(self.written(cert.read_bytes()[:-30]), code=2, says=["it ends in the middle"])
 
-
-class BrokenCertificates(CertifyCase):
-    """Each row of the table in docs/certify.md, tried on a certificate that something happened to."""
-
+    # Each row of the table in docs/certify.md, tried on a certificate that something happened to.
     def of_another_axiscert(self, predicate):
         predicate["materials"]["axiscert"]["sources"] = "0" * 64
         predicate["materials"]["plan"]["plan"]["generators"]["tangent"]["version"] += 1
@@ -128,9 +119,7 @@ class BrokenCertificates(CertifyCase):
 
     def happened(self, what):
         """The arguments of verify."""
-        private, public = self.keys()
-        plain = self.certificate_of("published")
-        signed = self.certificate_of("published", "--key", private, name="signed")
+        plain, (signed, public) = self.certificate_of("published"), self.signed()
         whole, envelope = plain.read_bytes(), json.loads(signed.read_text())
         forged = base64.b64encode(canonical(json.loads(self.remade(lambda p: p["limits"].clear()).read_text()))).decode()
         return {

@@ -139,12 +139,10 @@ class BoxFaults(Case):
         found = self.not_met(self.FOLLOWS, ["follows=0.01"], "--family", "box-box/symmetric", "--trials", 1200)
         self.assertEqual({fault: not refused for fault, refused in found.items()}, self.FOLLOWS)
 
-    # What the numbers of each are like, in the words of a diagnosis.
-    NAMED = {"none": {}, "flipped": {"normal": "flipped"}, "tilted": {"normal": "tilted"},
-             "not_unit": {"normal": "not_normalised"}, "halved": {"separation": "scaled"}, "margin": {"separation": "margin"},
-             "swapped": {"contact_point": "exchanged"}, "halved_level": {"separation": "wrong"}}
+    # What the numbers of each are like, in the words of a diagnosis; of the others see fuzz/diagnosis/contacts_test.cpp.
+    NAMED = {"none": {}, "swapped": {"contact_point": "exchanged"}, "halved_level": {"separation": "wrong"}}
 
-    def test_each_is_named_by_its_diagnosis(self):
+    def test_some_are_named_by_their_diagnosis(self):
         for fault, named in self.NAMED.items():
             with self.subTest(fault=fault):
                 done = axiscert("diagnose", f"plugin:{BUILD}/contact_faults/{fault}.so", "--format", "json")

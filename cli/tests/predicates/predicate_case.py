@@ -151,6 +151,15 @@ class PredicateCase(Case):
 
     def ask_certify(self):
         self.assertEqual(self.certificate["kernel"]["question"], self.predicate)
+        if "r" not in self.plan.axes:
+            self.assertIn("does not depend on one radius", self.certificate["safe_margin"]["reason"])
+            self.assertEqual(self.certificate["safe_margin"]["precisions"], [])
+        self.assertIsNone(self.certificate["search"]["reason"])  # a test need not have a radius to be searched
+        for precision in self.certificate["kernel"]["precisions"]:
+            search = self.certificate["search"]["precisions"][precision]
+            self.assertGreater(search["evaluations"], 0)
+            self.assertIn("missed_contact", search["finds"])
+        self.assertTrue(self.certificate["witnesses"])
         record = self.record("certified/run")
         own = [one for one in record["kernels"] if one["id"] == self.kernel]
         for one in own:
@@ -162,6 +171,8 @@ class PredicateCase(Case):
         yield from self.told_by_record({"kernels": own}, families)
         for witness in self.certificate["witnesses"]:
             (query,) = self.read(self.said("query", witness["address"]))
+            self.assertEqual(witness["query"].get("predicate", "sphere-triangle"), self.predicate)
+            self.assertLessEqual({group for group, _ in query.groups}, set(witness["query"]))  # what the page draws
             shown, _ = witness["sentence"].removeprefix("The truth is ").split(",", 1)
             yield Told(witness["title"], [query], shown, named(shown))
 
