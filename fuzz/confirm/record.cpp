@@ -43,7 +43,7 @@ FileRecord file_record(const FileInfo& file) {
   record.name = file.name;
   record.kind = file.kind;
   if (!file.sha256.empty()) record.sha256 = Sha256(file.sha256);
-  if (file.kind == "queries") record.queries = file.queries;
+  if (record.has_queries()) record.queries = file.queries;
   if (file.kind == "mesh") {
     record.triangles = file.triangles;
     record.degenerate_triangles = file.degenerate_triangles;
