@@ -187,7 +187,8 @@ HarnessStatement score_harness(const StagedCertificate& staged, std::string_view
     const auto count = [&](const char* member) {
       return of[member].is_null() ? 0 : of[member].template get<std::uint64_t>();
     };
-    said.score.put(precision) = {count("mutants"), count(noticed), count("survived"), count("equivalent")};
+    said.score.put(precision) = {count("mutants"), count("judged"), count(noticed), count("survived"),
+                                 count("equivalent")};
   }
   return said;
 }

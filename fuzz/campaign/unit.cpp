@@ -73,7 +73,7 @@ void count_answer(ClearTally& tally, std::uint64_t position, Verdict said, Verdi
   ++tally.queries;
   tally.undecided += said == Verdict::undecided;
   if (said != Verdict::separated && said != Verdict::contact) return;
-  ++decided_as(tally, right);
+  ++tally.decided_as(right);
   if (said == right) return;
   ++(said == Verdict::separated ? tally.false_separation : tally.false_contact);
   (said == Verdict::separated ? tally.first_missed : tally.first_phantom).offer({true, position});

@@ -311,7 +311,7 @@ class AsymmetryBlock {
       if (!found_.first_verdict) found_.first_verdict = pair;
     }
     if (!image.bits || !base.bits || !of_base_[i]) return;
-    ++found_.compared_comparisons;
+    ++found_.images_with_comparisons;
     if ((*of_base_[i])(*image.bits) != *base.bits) {
       ++found_.comparisons;
       if (!found_.first_comparison) found_.first_comparison = pair;
@@ -353,7 +353,7 @@ std::optional<Asymmetry> asymmetry_of(const SeededSource& of, std::uint64_t quer
   for (const Asymmetry& block : blocks) {
     all.images += block.images;
     all.verdicts += block.verdicts;
-    all.compared_comparisons += block.compared_comparisons;
+    all.images_with_comparisons += block.images_with_comparisons;
     all.comparisons += block.comparisons;
     if (!all.first_verdict) all.first_verdict = block.first_verdict;
     if (!all.first_comparison) all.first_comparison = block.first_comparison;
@@ -386,7 +386,7 @@ AbsoluteSizeRecord size_record(const std::vector<UnitFlip>& flips, const std::ve
 AsymmetryRecord asymmetry_record(const Asymmetry& asymmetry, const AddressOf& address, bool has_numbers) {
   AsymmetryRecord record{asymmetry.images,
                          asymmetry.verdicts,
-                         asymmetry.compared_comparisons,
+                         asymmetry.images_with_comparisons,
                          asymmetry.comparisons,
                          addresses_of(asymmetry.first_verdict, address),
                          addresses_of(asymmetry.first_comparison, address),

@@ -94,8 +94,8 @@ struct Asymmetry {
   std::uint64_t images = 0;    // compared with their base, which decides them: both within the kernel's limits, neither
                                // unanswered nor declined
   std::uint64_t verdicts = 0;  // images whose verdict differs
-  std::uint64_t compared_comparisons = 0;  // images whose comparisons have the base's names, and both show theirs
-  std::uint64_t comparisons = 0;           // of these, with a comparison that differs, whatever the verdict
+  std::uint64_t images_with_comparisons = 0;  // images whose comparisons have the base's names, and both show theirs
+  std::uint64_t comparisons = 0;              // of these, with a comparison that differs, whatever the verdict
   std::optional<ImagePair> first_verdict, first_comparison;
   Invariance invariance;  // the same images by kind and size
   ImageNumbers numbers;   // of a kernel with measures

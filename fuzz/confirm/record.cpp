@@ -43,7 +43,7 @@ FileRecord file_record(const FileInfo& file) {
   record.name = file.name;
   record.kind = file.kind;
   if (!file.sha256.empty()) record.sha256 = Sha256(file.sha256);
-  if (file.kind == "queries") record.queries = file.queries;
+  if (record.has_queries()) record.queries = file.queries;
   if (file.kind == "mesh") {
     record.triangles = file.triangles;
     record.degenerate_triangles = file.degenerate_triangles;
@@ -140,6 +140,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
   const bool has_sides = kernel.exposes == Exposure::sides && answered != 0;
   for (std::size_t i = 0; i < predicate.comparisons.size(); ++i) {
     ComparisonTally& comparison = tally.comparisons[i];
+    comparison.judged = tally.with_signs;
     const bool has_errors = has_sides && *comparison.range_events + *comparison.error_without_scale < answered;
     comparison.max_error = has_errors ? std::optional(comparison.largest_error.best()) : std::nullopt;
     if (!has_errors || !tolerances[i]) comparison.tolerance_failures.reset();
@@ -152,6 +153,7 @@ Tally measured(Tally tally, const Kernel& kernel, const Tolerances& tolerances) 
       has_tolerance |= tally.comparisons[i].tolerance_failures.has_value();
       max_error = std::max(max_error, tally.comparisons[i].max_error);
     });
+    tally.axes[a].judged = tally.with_signs;
     tally.axes[a].max_error = max_error;
     if (!has_sides || !has_tolerance) tally.axes[a].tolerance_failures.reset();
   }

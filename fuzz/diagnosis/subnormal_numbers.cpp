@@ -68,7 +68,7 @@ class SubnormalProbe {
     }
     return undecided(
         "Small scenes do not tell: it answers neither as a built-in form nor as one with subnormal numbers "
-        "flushed, and not rightly where every number is subnormal.");
+        "flushed, and is not right on nine in ten scenes in which every length is subnormal.");
   }
 
  private:

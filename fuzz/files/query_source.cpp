@@ -59,8 +59,7 @@ class QueryFileSource final : public Source {
   // `addressed`. There is a query, and all are of one predicate and entry.
   QueryFileSource(const char* kind, const FileInfo& file, const std::string& bytes, const std::string& addressed,
                   const std::vector<StoredQuery>& queries)
-      : kind_(kind),
-        addressed_(hash_of(addressed)),
+      : addressed_(hash_of(addressed)),
         predicate_(*queries.front().predicate),
         entry_(queries.front().entry),
         binary32_(queries.front().columns().columns.size()),
@@ -80,16 +79,16 @@ class QueryFileSource final : public Source {
     const std::size_t columns = entry.shared_columns != 0 ? entry.shared_columns : entry.columns.size();
     parts32_ = distinct(binary32_, columns);
     parts64_ = distinct(binary64_, columns);
-    file_.kind = "queries";
+    file_.kind = kind;
     file_.sha256 = hash_of(bytes);
     file_.queries = binary32_.size() + binary64_.size();
   }
 
-  std::string name() const override { return query_list_name(file_.name, kind_ == corpus_name); }
-  std::string address_name() const override { return kind_ + "-" + addressed_; }
+  std::string name() const override { return is_corpus() ? file_.name : std::string(query_file_prefix) + file_.name; }
+  std::string address_name() const override { return file_.kind + "-" + addressed_; }
   std::string purpose() const override {
-    return kind_ == corpus_name ? "queries that were hard once: public reports, degenerate classics, witnesses"
-                                : "the queries of a file, as they stand";
+    return is_corpus() ? "queries that were hard once: public reports, degenerate classics, witnesses"
+                       : "the queries of a file, as they stand";
   }
   int version() const override { return 1; }
   std::optional<std::uint64_t> fixed_size(Precision precision) const override {
@@ -143,7 +142,9 @@ class QueryFileSource final : public Source {
 
   static std::string hash_of(const std::string& bytes) { return sha256_hex(std::as_bytes(std::span(bytes))); }
 
-  std::string kind_, addressed_;
+  bool is_corpus() const { return file_.kind == corpus_name; }
+
+  std::string addressed_;
   const Predicate& predicate_;
   std::size_t entry_;
   Rows<float> binary32_;

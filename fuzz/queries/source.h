@@ -17,20 +17,17 @@ inline constexpr std::uint64_t unit_size = std::uint64_t{1} << 16;
 
 // The record's description of a file that queries came from.
 struct FileInfo {
-  std::string path = {};                                                          // as given; not in the record
-  std::string name = {};                                                          // the base name
-  std::string kind = {};                                                          // "mesh", "queries", "plugin"
-  std::string sha256 = {};                                                        // hash of the bytes, 64 hex digits
-  std::uint64_t queries = 0;                                                      // for kind "queries"
+  std::string path = {};      // as given; not in the record
+  std::string name = {};      // the base name
+  std::string kind = {};      // "mesh", "queries", "corpus", "plugin"
+  std::string sha256 = {};    // hash of the bytes, 64 hex digits
+  std::uint64_t queries = 0;  // for kinds "queries" and "corpus"
   std::uint64_t triangles = 0, degenerate_triangles = 0, skipped_primitives = 0;  // for kind "mesh"
   std::string kernel = {};  // for kind "plugin": the id of the kernel that it is
 };
 
 // The names of sources that are lists of queries: "queries/FILE", and that of the corpus, of which there is only one.
 inline constexpr std::string_view corpus_name = "corpus", query_file_prefix = "queries/";
-inline std::string query_list_name(const std::string& file, bool is_corpus) {
-  return std::string(is_corpus ? corpus_name : query_file_prefix) + (is_corpus ? "" : file);
-}
 inline bool is_query_file(std::string_view source) { return source.starts_with(query_file_prefix); }
 inline bool is_query_list(std::string_view source) { return source == corpus_name || is_query_file(source); }
 

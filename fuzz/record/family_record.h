@@ -106,7 +106,7 @@ struct ImageNumbersRecord {
 };
 
 struct AsymmetryRecord {
-  std::uint64_t images = 0, verdicts = 0, compared_comparisons = 0;
+  std::uint64_t images = 0, verdicts = 0, images_with_comparisons = 0;
   std::optional<std::uint64_t> comparisons = 0;
   std::optional<AddressPair> first_verdict, first_comparison;
   std::optional<ImageNumbersRecord> numbers;
@@ -120,11 +120,11 @@ struct AsymmetryRecord {
       AsymmetryRecord,
       AXISCERT_FIELD(images,
                      "Images compared with their base: whole groups among the first 2^22 queries, both within the "
-                     "kernel's limits, neither unanswered nor undecided."),
+                     "kernel's limits, neither unanswered nor undecided, nor both invalid."),
       field(&Of::verdicts, figure_of("images", "verdicts", "Images with another verdict than the base.")),
-      AXISCERT_FIELD(compared_comparisons,
+      AXISCERT_FIELD(images_with_comparisons,
                      "Images whose comparisons were compared: those that have the base's names, with both shown."),
-      field(&Of::comparisons, figure_of("compared_comparisons", "comparisons",
+      field(&Of::comparisons, figure_of("images_with_comparisons", "comparisons",
                                         "Those with another comparison than the base, whatever the verdict; null for a "
                                         "kernel that shows none.")),
       AXISCERT_FIELD(first_verdict, "The first with another verdict; null: none."),

@@ -21,7 +21,8 @@ using Sha256 = Text<Sha256Rule>;
 
 struct FileKindRule {
   static constexpr std::size_t longest = 64;
-  static constexpr std::string_view pattern = "^(mesh|queries|plugin|manifest|program(-[0-9]+)?|file(-[0-9]+)?|lock)$";
+  static constexpr std::string_view pattern =
+      "^(mesh|queries|corpus|plugin|manifest|program(-[0-9]+)?|file(-[0-9]+)?|lock)$";
 };
 
 // A decimal number of u.
@@ -56,10 +57,14 @@ struct FileRecord {
   std::optional<std::uint64_t> queries, triangles, degenerate_triangles, skipped_primitives;
   std::optional<std::map<Precision, std::uint64_t>> left_out;
 
+  bool has_queries() const { return kind == "queries" || kind == "corpus"; }
+  // That of its queries, or of a mesh.
+  std::string family_name() const { return kind == "corpus" ? std::string(kind) : kind + "/" + name; }
+
   static constexpr std::string_view about = "A file that was read.";
   AXISCERT_FIELDS(FileRecord, AXISCERT_FIELD(name, "Base name."),
                   AXISCERT_FIELD(kind,
-                                 "mesh: triangles at which the queries aim; queries: stored queries, or the corpus; "
+                                 "mesh: triangles at which the queries aim; queries: stored queries; corpus; "
                                  "plugin: somebody else's kernel; manifest, program or file, lock: a program's "
                                  "manifest, a file that its command names, the lock file of its packages."),
                   AXISCERT_FIELD(sha256, "SHA-256 of the file's bytes; null where it could not be read."),

@@ -85,16 +85,17 @@ void FindingTally::merge(const FindingTally& other) {
 
 void Tally::merge(const Tally& other) { merge_fields(*this, other); }
 
-void Tally::count_signs(std::uint64_t times) {
-  for (auto& [name, axis] : axes) axis.judged += times;
-  for (auto& [name, comparison] : comparisons) comparison.judged += times;
-}
-
 Tally empty_tally(const Predicate& predicate) {
   Tally tally;
   for (const PredicateClause& clause : predicate.clauses) tally.axes.put(clause.name);
   for (const PredicateComparison& comparison : predicate.comparisons) tally.comparisons.put(comparison.name);
   return tally;
+}
+
+void count_engine(Tally& tally, DepthOf& depth, const std::optional<Verdict>& right_of_decided) {
+  if (!std::isfinite(depth.engine_threshold())) return;
+  ++tally.verdict.engine->queries;
+  if (right_of_decided) ++tally.verdict.engine->decided_as(*right_of_decided);
 }
 
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth,
@@ -115,7 +116,7 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
   count_truth(tally, truth, times);
   if (truth.verdict == Verdict::invalid) return;
   if (judgement.right_of_decided) {
-    decided_as(tally.verdict, *judgement.right_of_decided) += times;
+    tally.verdict.decided_as(*judgement.right_of_decided) += times;
     tally.verdict.decided_touching += truth.touching * times;
   }
   if (answer.verdict == Verdict::undecided) {
@@ -128,7 +129,7 @@ void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const 
   if (!judgement.verdict_flip) add(tally.verdict.masked_links, judgement.verdict_links, times);
 
   const bool is_decided = answer.verdict == Verdict::separated || answer.verdict == Verdict::contact;
-  if (is_decided && answer.bits && judgement.exact) tally.count_signs(times);
+  tally.with_signs += (is_decided && answer.bits && judgement.exact) * times;
   for_each_bit(ties, [&](std::size_t i) { tally.comparisons[i].ties += times; });
   if (std::has_single_bit(judgement.exact_axes)) tally.axes[first_bit(judgement.exact_axes)].sole_separator += times;
 
@@ -151,7 +152,7 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonB
            const Judgement& judgement, DepthOf& depth, const StandingLeaders& standing) {
   count_numbers(tally, truth, ties, answer, judgement, 1);
   if (truth.verdict == Verdict::invalid) return;
-  if (std::isfinite(depth.engine_threshold())) tally.verdict.engine->count(judgement.right_of_decided);
+  count_engine(tally, depth, judgement.right_of_decided);
   judgement.for_each_flip([&](const Flip& flip) {
     switch (flip.level) {
       case Level::verdict:
@@ -176,7 +177,7 @@ void count_outside(Tally& tally, const Truth& truth, const Answer& answer, const
   ++outside.trials;
   outside.contact += truth.verdict == Verdict::contact;
   outside.touching += truth.touching;
-  if (judgement.right_of_decided) ++decided_as(outside, *judgement.right_of_decided);
+  if (judgement.right_of_decided) ++outside.decided_as(*judgement.right_of_decided);
   outside.unanswered += answer.verdict == Verdict::unanswered;
   if (!judgement.verdict_flip) return;
   ++(*judgement.verdict_flip == FlipKind::false_separation ? outside.false_separation : outside.false_contact);

@@ -23,12 +23,11 @@ namespace axiscert {
 // Answers to clear queries: those that no right method of the precision gets wrong (exact/judge/clear.h).
 
 // Counts of a kernel without a reference: nothing else tells its faults of logic from its rounding.
-struct ClearTally {
-  std::uint64_t queries = 0, decided_contacts = 0, decided_separations = 0, undecided = 0;
+struct ClearTally : DecidedCounts {
+  std::uint64_t queries = 0, undecided = 0;
   std::uint64_t false_separation = 0, false_contact = 0;
   Leaders<bool> first_missed, first_phantom;  // by the position alone
 
-  std::uint64_t decided() const { return decided_contacts + decided_separations; }
   std::uint64_t unanswered() const { return queries - decided() - undecided; }
   bool operator==(const ClearTally& other) const {
     return queries == other.queries && decided_contacts == other.decided_contacts &&
@@ -153,13 +152,11 @@ struct ComparisonTally : SignTally {
 };
 
 // Valid queries outside the limits that a kernel declares; only the truth counts them too.
-struct OutsideTally {
-  std::uint64_t trials = 0, decided_contacts = 0, decided_separations = 0;
+struct OutsideTally : DecidedCounts {
+  std::uint64_t trials = 0;
   std::uint64_t false_separation = 0, false_contact = 0, unanswered = 0;
   std::uint64_t contact = 0, touching = 0;  // the truth; touching is part of contact
   double deepest = 0;
-
-  std::uint64_t decided() const { return decided_contacts + decided_separations; }
 
   static constexpr std::string_view about =
       "Results where the kernel promises nothing. No other count of its verdicts, axes, comparisons or critical radii "
@@ -201,8 +198,8 @@ struct JsonForm<FirstQuery> {
 
 // A member may be empty where the kernel declares no limits, has a reference (clear), the predicate has no depth, or
 // engines ask no such queries.
-struct VerdictTally {
-  std::uint64_t decided_contacts = 0, decided_separations = 0, decided_touching = 0;
+struct VerdictTally : DecidedCounts {
+  std::uint64_t decided_touching = 0;
   std::uint64_t false_separation = 0, false_contact = 0, undecided = 0;
   std::uint64_t undecided_contact = 0, undecided_touching = 0;  // of undecided; touching is part of contact
   std::uint64_t invalid = 0, unanswered = 0;
@@ -221,7 +218,6 @@ struct VerdictTally {
   std::uint64_t wrong(FlipKind kind) const {
     return kind == FlipKind::false_separation ? false_separation : false_contact;
   }
-  std::uint64_t decided() const { return decided_contacts + decided_separations; }
   double farthest() const { return std::max(farthest_false_separation.best(), farthest_false_contact.best()); }
   double deepest() const { return std::max(deepest_false_separation.best(), deepest_false_contact.best()); }
 
@@ -322,13 +318,13 @@ struct Tally {
   ClassTally classes;             // of a kernel with has_input_classes()
   ContactTally contacts;          // of a predicate with measures
   std::uint64_t asked_again = 0;  // queries asked again in another order of their batch
+  std::uint64_t with_signs = 0;   // queries of which every sign was compared: SignTally::judged of each in a record
 
   void merge(const Tally& other);
-  void count_signs(std::uint64_t times);  // so many queries of which every sign was compared
   AXISCERT_FIELDS(Tally, journalled(&Tally::trials), journalled(&Tally::truth), journalled(&Tally::verdict),
                   journalled(&Tally::axes), journalled(&Tally::comparisons), journalled(&Tally::critical_radius),
                   journalled(&Tally::findings), journalled(&Tally::classes), journalled(&Tally::contacts),
-                  journalled(&Tally::asked_again))
+                  journalled(&Tally::asked_again), journalled(&Tally::with_signs))
 };
 
 // Nothing counted, for every clause and comparison of a predicate.
@@ -368,6 +364,8 @@ void count(Tally& tally, std::uint64_t position, const Truth& truth, ComparisonB
 // The part of count() that adds up: the same for each of `times` queries with this judgement.
 void count_numbers(Tally& tally, const Truth& truth, ComparisonBits ties, const Answer& answer,
                    const Judgement& judgement, std::uint64_t times);
+// The part of count() that counts engine-like queries.
+void count_engine(Tally& tally, DepthOf& depth, const std::optional<Verdict>& right_of_decided);
 // The part of count() that counts and keeps the depth of a wrong verdict.
 void count_depth(Tally& tally, std::uint64_t position, const Flip& flip, DepthOf& depth,
                  const StandingLeaders& standing);

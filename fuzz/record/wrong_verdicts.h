@@ -58,21 +58,20 @@ struct DepthTally {
                   AXISCERT_FIELD(deep, "Wrong verdicts of both directions whose depth is at least 1e-3."))
 };
 
-// The count of the decided queries of which that verdict is right.
-std::uint64_t& decided_as(auto& tally, Verdict right) {
-  return right == Verdict::contact ? tally.decided_contacts : tally.decided_separations;
-}
+// Queries that a kernel decided, by the verdict that is right. What they are is said where a struct has them as fields.
+struct DecidedCounts {
+  std::uint64_t decided_contacts = 0, decided_separations = 0;
 
-// Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
-struct EngineTally {
-  std::uint64_t queries = 0, decided_contacts = 0, decided_separations = 0;
-  DepthTally wrong;
-
-  void count(const std::optional<Verdict>& right_of_decided) {
-    ++queries;
-    if (right_of_decided) ++decided_as(*this, *right_of_decided);
+  std::uint64_t& decided_as(Verdict right) {
+    return right == Verdict::contact ? decided_contacts : decided_separations;
   }
   std::uint64_t decided() const { return decided_contacts + decided_separations; }
+};
+
+// Wrong verdicts on queries such as an engine asks (DepthOf::engine_threshold).
+struct EngineTally : DecidedCounts {
+  std::uint64_t queries = 0;
+  DepthTally wrong;
 
   std::uint64_t false_separation() const { return wrong.false_separation.sum(); }
   std::uint64_t false_contact() const { return wrong.false_contact.sum(); }

@@ -134,6 +134,9 @@ TYPED_TEST(EngineLike, CountsOfAUnitAddUp) {
       EXPECT_EQ(exact[k].verdict.engine->queries, engine_like) << name;
       EXPECT_EQ(verdict.engine->decided(), engine_like) << name;
       EXPECT_EQ(verdict.engine->decided_contacts, exact[k].verdict.engine->decided_contacts) << name;
+      EXPECT_EQ(verdict.decided_touching, exact[k].verdict.decided_touching) << name;
+      EXPECT_EQ(quick[k].with_signs, exact[k].with_signs) << name;
+      EXPECT_EQ(quick[k].with_signs, verdict.decided()) << name << ": every answer has comparisons";
       EXPECT_LE(sum(verdict.engine->wrong.false_contact), verdict.false_contact) << name;
     }
   }
@@ -213,15 +216,25 @@ TEST(ClassTally, AddsUpToTheWrongVerdictsAndKeepsTheDeepest) {
 }
 
 TEST(ClassTally, IsTheSameByExactArithmeticAlone) {
-  const Kernel kernel = coarse();
-  Plan plan = plan_of(kernel, {"sliver", "scale", "tangent", "far"});
-  for (const SourcePtr& source : plan.questions.sources) {
-    for (const Precision precision : plan.questions.precisions) {
-      plan.judging.exact_only = false;
-      const Tally filtered = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
-      plan.judging.exact_only = true;
-      const Tally exact = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
-      EXPECT_EQ(encode(filtered), encode(exact)) << source->name();
+  const Kernel declines = black_box(
+      "declines",
+      [](const auto& q, std::size_t, Verdict& verdict, auto&) {
+        if (q.a.x > 0) verdict = Verdict::undecided;
+      },
+      "published");
+  Kernel limited = coarse();
+  limited.limits = {.least_coordinate = 0x1p-15, .greatest_coordinate = 0x1p15};
+  for (const Kernel& kernel : {coarse(), declines, limited}) {
+    Plan plan = plan_of(kernel, {"sliver", "scale", "tangent", "far", "tie"});
+    for (const SourcePtr& source : plan.questions.sources) {
+      for (const Precision precision : plan.questions.precisions) {
+        plan.judging.exact_only = false;
+        const Tally filtered = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
+        plan.judging.exact_only = true;
+        const Tally exact = run_unit(plan, *source, precision, 0, 600 / TRIAL_DIVISOR).tallies[0];
+        EXPECT_EQ(encode(filtered), encode(exact)) << kernel.id << " on " << source->name();
+        EXPECT_EQ(filtered.verdict.undecided != 0, kernel.id == "declines") << source->name();
+      }
     }
   }
 }

@@ -28,7 +28,7 @@ void CleanCount::add_to(Tally& tally) const {
   tally.verdict.decided_contacts += contact;
   tally.verdict.decided_touching += touching_;
   tally.truth.touching += touching_;
-  tally.count_signs(with_bits_);
+  tally.with_signs += with_bits_;
   for (std::size_t i = 0; i < comparison_count; ++i) tally.comparisons[i].ties += ties_[i];
 }
 
@@ -109,7 +109,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const st
   const bool is_flat = formulae_ != Formulae::none && !run_.has_replies(), is_reference = kernel_.is_reference;
   const Verdict* verdicts = run_.reply().verdicts.data();
   const ComparisonBits* bits = run_.reply().has_bits ? run_.reply().answers.bits.data() : nullptr;
-  EngineTally& engine = *tally_.verdict.engine;
+  DecidedCounts in_engines;  // counted in registers, and added at the end
   counted_.assign(batch.size(), false);
   for (std::size_t i = 0; i < batch.size(); ++i) {
     if (batch.is_exact(i)) continue;
@@ -119,8 +119,13 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const st
                           (!bits || bits[i] == signs.strict) && (!is_reference || reference_.shared(i) == signs.strict);
     if (is_clear) clean_.add(axes, 0, false, bits != nullptr);
     counted_[i] = is_clear || count_if_clean(i);
-    if (counted_[i] && engine_like[i]) engine.count(is_flat ? verdicts[i] : run_.answer(i).verdict);
+    // Of what is counted here the verdict is right.
+    if (counted_[i] && engine_like[i]) ++in_engines.decided_as(is_flat ? verdicts[i] : run_.answer(i).verdict);
   }
+  EngineTally& engine = *tally_.verdict.engine;
+  engine.queries += in_engines.decided();
+  engine.decided_contacts += in_engines.decided_contacts;
+  engine.decided_separations += in_engines.decided_separations;
 }
 
 template <class Real>
@@ -155,7 +160,7 @@ void KernelScreen<Real>::judge_by_signs(std::size_t i, const Signs& signs, Asked
     if (repeated && repeated->is_known) {
       ++repeated->repetitions;
       if (repeated->is_touching) depth.set_touching();
-      if (std::isfinite(depth.engine_threshold())) tally_.verdict.engine->count(repeated->judgement.right_of_decided);
+      count_engine(tally_, depth, repeated->judgement.right_of_decided);
       if (const auto flip = repeated->verdict_flip())
         count_depth(tally_, run_.position(i), *flip, depth, run_.standing());
       return;

@@ -92,7 +92,7 @@ class KernelScreen {
   bool judges_by_signs() const { return by_signs_; }
 
   // These, where the kernel is judged by signs. Evaluates the reference, and counts the queries on which nothing is
-  // wrong with the answer, unless exact arithmetic judges them. `engine_like` is of engine_like_queries().
+  // wrong with the answer, unless exact arithmetic judges them. `engine_like` is of find_engine_like().
   void count_in_bulk(const DecidedBatch<Real>& batch, const std::vector<std::uint8_t>& engine_like);
   // Looks at the errors of the computed sides.
   void look_at_errors(const DecidedBatch<Real>& batch);

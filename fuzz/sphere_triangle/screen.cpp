@@ -102,8 +102,9 @@ void SphereTriangleScreen<Real>::decide(const MadeBatch<Real>& made) {
 
 template <class Real>
 const std::vector<std::size_t>& SphereTriangleScreen<Real>::count_in_bulk() {
-  const std::vector<std::uint8_t> engine_like = engine_like_queries(batch_->queries.columns());
-  for (KernelScreen<Real>& kernel : kernels_) kernel.count_in_bulk(*batch_, engine_like);
+  if (std::ranges::any_of(kernels_, &KernelScreen<Real>::judges_by_signs))
+    find_engine_like(batch_->queries.columns(), engine_like_);
+  for (KernelScreen<Real>& kernel : kernels_) kernel.count_in_bulk(*batch_, engine_like_);
   open_.clear();
   for (std::size_t i = 0; i < batch_->size(); ++i) {
     const auto is_left = [&](const KernelScreen<Real>& kernel) { return !kernel.has_counted(i); };

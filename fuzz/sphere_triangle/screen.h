@@ -105,6 +105,7 @@ class SphereTriangleScreen final : public Screen<Real> {
   Decider<Real> decider_;
   std::deque<KernelScreen<Real>> kernels_;
   std::optional<DecidedBatch<Real>> batch_;
+  std::vector<std::uint8_t> engine_like_;  // by query of the batch, where a kernel is judged by signs
   std::vector<std::size_t> open_;
   std::optional<CheckedQuery<Real>> look_;
 };

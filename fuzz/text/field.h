@@ -208,8 +208,8 @@ constexpr void for_each_written(Visit&& visit) {
 }
 
 // The value of a field: a member, or what a function of it says.
-template <class Of, class Member, class How>
-constexpr decltype(auto) value_of(Of& of, const FieldOf<std::remove_const_t<Of>, Member, How>& field) {
+template <class Of, std::derived_from<Of> Holder, class Member, class How>
+constexpr decltype(auto) value_of(Holder& of, const FieldOf<Of, Member, How>& field) {
   if constexpr (std::is_function_v<Member>) return (of.*field.member)();
   else return (of.*field.member);
 }

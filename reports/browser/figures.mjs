@@ -199,6 +199,22 @@ test('says so where a record has no margins', async () => {
   await close();
 });
 
+test('says of the heat table on how many answers a cell rests', async () => {
+  const part = folder('part');
+  const record = JSON.parse(fs.readFileSync(path.join(testdata, 'record.json'), 'utf8'));
+  record.plan.seed = 1;  // the stored one is no number of JavaScript
+  const {comparisons} = record.kernels.find(({id}) => id === 'published').families.lattice;
+  comparisons['plane.radius'].judged = 100;
+  Object.assign(comparisons['vertex_a.radius'], {judged: 0, ...Object.fromEntries(
+    ['false_separation', 'missed_separation', 'masked', 'decisive', 'links'].map((figure) => [figure, null]))});
+  fs.writeFileSync(path.join(part, 'record.json'), JSON.stringify(record));
+  render(part);
+  const {page, close} = await opened(part);
+  assert.match(await heat_words(page, 'plane.radius', 'lattice'), /sign errors 0 of 100 \(< 29,500 per million, 95 %\)/);
+  assert.equal(await page.locator('#heat-tables td[title="not checked: no decided answer had comparisons"]').count(), 1);
+  await close();
+});
+
 // The stored kernel of verdicts, without a wrong one: it declines all contacts, and the separations too or not.
 function declining(name, separations) {
   const into = folder(name);

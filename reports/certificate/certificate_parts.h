@@ -280,10 +280,11 @@ struct SearchedStatement {
 using SearchesStatement = StageStatement<NamedValues<SearchedStatement>>;
 
 struct PlantedScore {
-  std::uint64_t mutants = 0, noticed = 0, survived = 0, equivalent = 0;
+  std::uint64_t mutants = 0, judged = 0, noticed = 0, survived = 0, equivalent = 0;
 
-  AXISCERT_FIELDS(PlantedScore, AXISCERT_FIELD(mutants), AXISCERT_FIELD(noticed), AXISCERT_FIELD(survived),
-                  AXISCERT_FIELD(equivalent))
+  AXISCERT_FIELDS(PlantedScore, AXISCERT_FIELD(mutants), AXISCERT_FIELD(judged, "Those that were asked a valid query."),
+                  field(&Of::noticed, figure_of("judged", "noticed", {})),
+                  field(&Of::survived, figure_of("judged", "survived", {})), AXISCERT_FIELD(equivalent))
 };
 
 struct HarnessStatement {

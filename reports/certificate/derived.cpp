@@ -114,6 +114,12 @@ std::vector<SaidText> limits_of(const CertificatePredicate& predicate) {
     say("The kernel shows its verdict alone: why it is wrong was inferred from the input, and not seen.");
   const HarnessStatement& harness = predicate.harness;
   for (const auto& [precision, score] : harness.score) {
+    if (score.judged == 0) {
+      say(fmt::format("Of {} faults planted in a right kernel that shows as much, none was asked a valid query in {}: "
+                      "how many such a run notices is not known.",
+                      score.mutants, precision));
+      continue;
+    }
     say(
         fmt::format("Of {} faults planted in a right kernel that shows as much, {} were not noticed in {}: a fault as "
                     "small as those may be in this kernel too.",

@@ -14,6 +14,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
 #include "reports/certificate/canonical.h"
+#include "reports/run_folder/record_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -192,60 +193,23 @@ KernelRecord entry_again(Json entry, const std::string& id, const std::string& w
 
 namespace {
 
-void require_counts(const StretchCounts& counts, std::uint64_t queries, const std::string& where) {
-  const TruthCounts& truth = counts.truth;
-  const VerdictTally& verdict = counts.verdict;
-  const auto require = [&](bool holds, const char* what) {
-    if (!holds) throw NotValid(fmt::format("{}: {}", where, what));
-  };
+void require_counts(const StretchCounts& counts, TouchingPolicy touching, std::uint64_t queries,
+                    const std::string& where) {
   if (counts.trials != queries) {
     throw NotValid(
         fmt::format("{}: {} queries, and its plan has {} there", where, thousands(counts.trials), thousands(queries)));
   }
-  require(truth.separated <= queries && truth.contact <= queries &&
-              truth.separated + truth.contact + truth.invalid == queries,
-          "separated, contact and invalid are not all queries");
-  require(truth.touching <= truth.contact, "more queries touch than are contacts");
-  const OutsideTally outside = verdict.outside_limits.value_or(OutsideTally());
-  const std::uint64_t valid = truth.separated + truth.contact;
-  require(outside.trials <= valid, "more queries are outside its limits than are valid");
-  require(outside.contact <= std::min(truth.contact, outside.trials) && outside.touching <= outside.contact &&
-              outside.trials - outside.contact <= truth.separated,
-          "the queries outside its limits are more than those of their truth");
-  std::uint64_t answered = outside.trials;
-  for (const std::uint64_t count : {verdict.decided_contacts, verdict.decided_separations, verdict.undecided,
-                                    verdict.invalid, verdict.unanswered}) {
-    require(count <= queries, "more verdicts or missing answers than queries");
-    answered += count;
-  }
-  require(verdict.false_separation <= verdict.decided_contacts && verdict.false_contact <= verdict.decided_separations,
-          "more wrong answers than verdicts");
-  require(outside.decided_contacts <= outside.trials && outside.decided_separations <= outside.trials,
-          "more verdicts than queries outside its limits");
-  require(outside.false_separation <= outside.decided_contacts &&
-              outside.false_contact <= outside.decided_separations && outside.decided() <= outside.trials,
-          "more wrong answers than verdicts outside its limits");
-  const ClearTally clear = verdict.clear.value_or(ClearTally());
-  require(clear.queries <= queries && clear.undecided <= queries && clear.decided_contacts <= queries &&
-              clear.decided_separations <= queries && clear.decided() + clear.undecided <= clear.queries,
-          "more answers to clear queries than there are");
-  // A touching query may be neither right nor wrong.
-  require(answered <= valid && valid <= answered + truth.touching, "more or fewer answers than valid queries");
-  require(verdict.undecided_contact <= verdict.undecided && verdict.undecided_touching <= verdict.undecided_contact,
-          "more declined contacts than declined queries");
-  // A touching query that a kernel means to call separated is a contact, and a false one.
-  require(verdict.decided_contacts + verdict.undecided_contact <= truth.contact, "more decided contacts than contacts");
-  require(verdict.touching_flips <= verdict.false_separation + verdict.false_contact &&
-              verdict.touching_flips <= verdict.decided_touching && verdict.decided_touching <= truth.touching,
-          "more wrong verdicts on touching queries than wrong verdicts, or than verdicts on them");
-  require((verdict.false_separation != 0 || verdict.deepest_false_separation.best() == 0) &&
-              (verdict.false_contact != 0 || verdict.deepest_false_contact.best() == 0),
-          "a depth of wrong verdicts, and none is wrong");
+  if (const auto fault = fault_of_verdicts(touching, counts)) throw NotValid(fmt::format("{}: {}", where, *fault));
+  const VerdictTally& verdict = counts.verdict;
+  if ((verdict.false_separation == 0 && verdict.deepest_false_separation.best() != 0) ||
+      (verdict.false_contact == 0 && verdict.deepest_false_contact.best() != 0))
+    throw NotValid(where + ": a depth of wrong verdicts, and none is wrong");
 }
 
 }  // namespace
 
-StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::string& where) {
+StretchCounts counts_again(const Json& whole, TouchingPolicy touching, std::uint64_t queries,
+                           const std::string& where) {
   StretchCounts none;
   none.verdict.depths.reset();
   none.verdict.engine.reset();
@@ -257,7 +221,7 @@ StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::
   if (verdict["deepest"] != std::max(verdict["deepest_false_separation"], verdict["deepest_false_contact"]))
     throw NotValid(where + ": the deepest wrong verdict is another than those of the two kinds");
   auto read = form_again<StretchCounts>(counts, where);
-  require_counts(read, queries, where);
+  require_counts(read, touching, queries, where);
   return read;
 }
 

@@ -70,7 +70,7 @@ std::map<ImageKind, ImageChangesRecord> invariance_again(Json invariance, const 
 // The "numbers" of a family's "asymmetry".
 ImageNumbersRecord image_numbers_again(Json numbers, const std::string& where);
 
-// The whole counts of one stretch, of so many queries, which agree with each other.
-StretchCounts counts_again(const Json& whole, std::uint64_t queries, const std::string& where);
+// The whole counts of one stretch, of so many queries, which agree with each other and with the promise of touch.
+StretchCounts counts_again(const Json& whole, TouchingPolicy touching, std::uint64_t queries, const std::string& where);
 
 }  // namespace axiscert

@@ -282,7 +282,7 @@ class CertificatePage {
         {"precision", "planted", "noticed", "not noticed", "without effect"},
         {}};
     for (const auto& [precision, score] : predicate_.harness.score) {
-      const auto told = [&](std::uint64_t n) { return score.noticed + score.survived == 0 ? "-" : thousands(n); };
+      const auto told = [&](std::uint64_t n) { return score.judged == 0 ? "-" : thousands(n); };
       table.rows.push_back({precision, thousands(score.mutants), told(score.noticed), told(score.survived),
                             thousands(score.equivalent)});
     }

@@ -171,8 +171,8 @@ class Reducer {
           continue;
         }
         const auto& [entry, none] = place->second;
-        const StretchCounts whole =
-            counts_again(whole_counts(none, counts[k].json, 1024 * stretch.queries, where), stretch.queries, where);
+        const StretchCounts whole = counts_again(whole_counts(none, counts[k].json, 1024 * stretch.queries, where),
+                                                 kernels[entry].touching, stretch.queries, where);
         if (!truth) truth = whole.truth;
         if (*truth != whole.truth)
           throw NotValid(

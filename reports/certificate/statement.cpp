@@ -55,7 +55,7 @@ Json portable_plan(Json plan) {
   plan["kernels"][0] = portable_id;
   Json files = Json::array();
   for (const Json& file : plan["files"]) {
-    if (file["kind"] == "mesh" || file["kind"] == "queries") files.push_back(file);
+    if (file["kind"] == "mesh" || file["kind"] == "queries" || file["kind"] == "corpus") files.push_back(file);
   }
   plan["files"] = files;
   plan["units_done"] = nullptr;

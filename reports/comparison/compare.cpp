@@ -93,10 +93,10 @@ class Comparer {
     note_missing(now, then, "is only in NEW", Absence::only_new);
     for (const FileRecord& file : after_.plan.files) {
       const auto old = std::ranges::find_if(before_.plan.files, [&](const FileRecord& other) {
-        return other.kind == file.kind && other.name == file.name;
+        return other.family_name() == file.family_name() && other.sha256 == file.sha256;
       });
       if (old == before_.plan.files.end() || !old->left_out || !file.left_out) continue;
-      const std::string family = query_list_name(file.name, file.name == corpus_name);
+      const std::string family = file.family_name();
       for (const auto& [precision, count] : *file.left_out) {
         if (!old->left_out->contains(precision)) continue;
         note({fmt::format("{} in {}", family, name(precision)),

@@ -76,6 +76,19 @@ TEST(NotCompared, LinesThatNeitherRunWasToAskAreSaid) {
   EXPECT_THAT(markdown_of(record, record, found),
               HasSubstr("| queries/seven.jsonl in binary64 | neither run was to ask its 6 queries | no fault |"));
   EXPECT_FALSE(compare_records(stored_record(), record).has(Absence::empty)) << "OLD may have asked them";
+  Json another = record;
+  another["plan"]["files"].back()["sha256"] = std::string(64, '7');
+  EXPECT_FALSE(compare_records(record, another).has(Absence::empty)) << "the lines of another file";
+}
+
+TEST(NotCompared, AFileThatIsCalledCorpusIsNotTheCorpus) {
+  Json record = stored_record();
+  for (const char* kind : {"queries", "corpus"})
+    record["plan"]["files"].push_back(
+        {{"name", "corpus"}, {"kind", kind}, {"sha256", nullptr}, {"queries", 7}, {"left_out", {{"binary64", 6}}}});
+  const std::string text = markdown_of(record, record, compare_records(record, record));
+  EXPECT_THAT(text, HasSubstr("| queries/corpus in binary64 | neither run"));
+  EXPECT_THAT(text, HasSubstr("| corpus in binary64 | neither run"));
 }
 
 TEST(NotCompared, AnInterruptedRunIsNoPassWhicheverItIs) {

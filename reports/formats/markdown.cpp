@@ -252,10 +252,12 @@ class MarkdownReport {
       any = true;
       const AsymmetryRecord& found = *result.asymmetry;
       const char* const none = found.images == 0 ? "-" : "none";
-      cells.insert(cells.end(),
-                   {found.first_verdict ? markdown_text(found.first_verdict->image) : none, thousands(found.images),
-                    found.images == 0 ? "-" : thousands(found.verdicts),
-                    found.compared_comparisons == 0 || !found.comparisons ? "-" : thousands(*found.comparisons)});
+      cells.insert(cells.end(), {found.first_verdict ? markdown_text(found.first_verdict->image) : none,
+                                 thousands(found.images), found.images == 0 ? "-" : thousands(found.verdicts),
+                                 found.images_with_comparisons == 0 || !found.comparisons
+                                     ? "-"
+                                     : fmt::format("{} of {}", thousands(*found.comparisons),
+                                                   thousands(found.images_with_comparisons))});
       section.add_row(cells);
     });
     return any ? section.text() : "";

@@ -146,9 +146,9 @@ std::vector<UntakenLines> lines_left_out(const Record& record) {
   std::vector<UntakenLines> lines;
   for (const FileRecord& file : record.plan.files) {
     if (!file.left_out) continue;
-    const std::string family = query_list_name(file.name, file.name == corpus_name);
     for (const auto& [precision, count] : *file.left_out)
-      lines.push_back({family, precision, count, file.queries.value_or(count), "the run was not to ask them"});
+      lines.push_back(
+          {file.family_name(), precision, count, file.queries.value_or(count), "the run was not to ask them"});
   }
   return lines;
 }

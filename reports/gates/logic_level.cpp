@@ -31,8 +31,7 @@ bool is_of_exact_arithmetic(const Subject& subject, const FamilyRecord& result) 
 // The look at a family of exact arithmetic is at the queries that do not touch.
 FamilyLook look_at_exact(const Subject& subject, const FamilyRecord& result) {
   const Evidence evidence = subject.evidence(result);
-  const std::uint64_t decided = evidence.decided();
-  return {evidence.population - result.truth.touching, decided - std::min(decided, result.verdict.decided_touching)};
+  return {evidence.population - result.truth.touching, evidence.decided() - result.verdict.decided_touching};
 }
 
 // Any other family is looked at by the clear ones that are decided. Fewer than the least are no evidence: then it

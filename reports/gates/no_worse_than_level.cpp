@@ -24,6 +24,10 @@ struct Pair {
   double p;
 };
 
+FlipKind kind_of(const Cell& cell) {
+  return cell.member == name(FlipKind::false_separation) ? FlipKind::false_separation : FlipKind::false_contact;
+}
+
 // The other kernel's cell of the same precision, family and name; null where it was not run there.
 const Cell* counterpart(const std::vector<Cell>& cells, const Cell& mine, const std::string& other) {
   for (const Cell& cell : cells) {
@@ -60,11 +64,6 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
       found.not_checked = fmt::format("{} was not run on {} in {}", other, cell.family, precision);
       return found;
     }
-    if (theirs->looked_at == 0 && cell.looked_at != 0) {
-      found.not_checked = fmt::format("{} decided none of the {} of {}: nothing is worse than that", other,
-                                      cell.member == "false_separation" ? "contacts" : "separations", cell.family);
-      return found;
-    }
     const auto [x, y] = independent(cell, *theirs);
     pairs.push_back({cell, *theirs, fisher_two_sided(x, y)});
     p.push_back(pairs.back().p);
@@ -80,15 +79,22 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
       return found;
     }
   }
+  for (const auto& [mine, others, alone] : pairs) {
+    const FlipKind kind = kind_of(mine);
+    if (others.looked_at != 0 || subject.evidence(subject.families().at(mine.family)).promised_for(kind) == 0) continue;
+    found.not_checked = fmt::format("{} decided none of the {} of {}, so there is no rate to compare with", other,
+                                    kind == FlipKind::false_separation ? "contacts" : "separations", mine.family);
+    return found;
+  }
   const std::vector<double> corrected = holm(p);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto& [mine, others, alone] = pairs[i];
     if (corrected[i] > family_wise_error || rate_of(mine) <= rate_of(others)) continue;
-    const bool is_missed = mine.member == name(FlipKind::false_separation);
-    const FlipKind kind = is_missed ? FlipKind::false_separation : FlipKind::false_contact;
+    const FlipKind kind = kind_of(mine);
     subject.add(found.failures, mine.family, mine.of.failures,
                 fmt::format("{} contacts, {}, more than {} with {} (p = {:.2g} after Holm's correction)",
-                            is_missed ? "missed" : "phantom", rate_text(mine), other, rate_text(others), corrected[i]),
+                            kind == FlipKind::false_separation ? "missed" : "phantom", rate_text(mine), other,
+                            rate_text(others), corrected[i]),
                 [kind](const FlipRecord& flip) { return flip.kind == kind; });
   }
   for (const auto& [family, result] : subject.families()) found.families[family] = subject.whole_look(result);

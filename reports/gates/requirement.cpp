@@ -194,7 +194,9 @@ std::string LevelOutcome::claim() const {
 }
 
 std::string LevelOutcome::looked_text() const {
-  if (families == 0) return "";
+  const std::string lines =
+      lines_left_out == 0 ? "" : fmt::format("{} lines of files left out", thousands(lines_left_out));
+  if (families == 0) return lines;  // it looks at queries of its own
   const char* const others = level_of(asked).looks_at;
   const auto part_of = level_of(asked).part;
   const char* const part = part_of == nullptr ? nullptr : part_of(asked);
@@ -202,8 +204,7 @@ std::string LevelOutcome::looked_text() const {
                          ? fmt::format("{} of {} {} looked at", thousands(looked_at), thousands(concerned), others)
                      : part == nullptr ? evidence_text(evidence, looked_at)
                                        : evidence_text(evidence, looked_at, concerned, part);
-  if (lines_left_out != 0) text += fmt::format(", {} lines of files left out", thousands(lines_left_out));
-  return text;
+  return lines.empty() ? text : text + ", " + lines;
 }
 
 std::string LevelOutcome::text() const {

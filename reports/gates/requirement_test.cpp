@@ -365,7 +365,11 @@ TEST(NoWorseThan, AYardstickThatDecidesNothingIsNone) {
   verdict["decided_contacts"] = verdict["decided_touching"] = 0;
   const LevelOutcome found = outcomes_of(record)[0];
   EXPECT_EQ(found.state, LevelState::not_checked);
-  EXPECT_THAT(found.reason, HasSubstr("yardstick decided none of the contacts of lattice"));
+  EXPECT_THAT(found.reason, HasSubstr("yardstick decided none of the contacts of lattice, so there is no rate"));
+
+  // Where it promises none either, that is why.
+  verdict["outside_limits"] = outside_all(300, 60, 200);
+  EXPECT_THAT(outcomes_of(record)[0].reason, HasSubstr("on lattice it promises 500 queries, and yardstick 0"));
 }
 
 TEST(NoWorseThan, InAPatternJudgesItsFamiliesAlone) {
@@ -385,6 +389,12 @@ TEST(NoWorseThan, AYardstickAloneIsNotChecked) {
   ASSERT_EQ(outcomes.size(), 1u);
   EXPECT_EQ(outcomes[0].state, LevelState::not_checked);
   EXPECT_FALSE(pass(outcomes));
+}
+
+TEST(LevelOutcome, ThatLooksAtNoFamilySaysWhichLinesAreLeftOut) {
+  LevelOutcome met{{"slack=1", "slack"}, "published", "binary32"};
+  met.lines_left_out = 6;
+  EXPECT_EQ(met.text(), "published binary32: slack=1: 6 lines of files left out: met");
 }
 
 TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {

@@ -209,8 +209,9 @@ function more_facts(entry) {
   fact('limits', entry.limits_text);
   const outside = total.verdict.outside_limits;
   if (outside !== null) {
+    const told = (wrong) => (wrong === null ? '-' : count(wrong));  // null: none of the kind was decided
     fact('outside its limits', `${count(outside.trials)} queries, ` +
-         (outside.decided === 0 ? 'none decided' : `${count(outside.false_separation + outside.false_contact)} wrong, counted separately`));
+         (outside.decided === 0 ? 'none decided' : `${told(outside.false_separation)} missed and ${told(outside.false_contact)} phantom contacts, counted separately`));
   }
   if (entry.engine_text) fact('engine-like', entry.engine_text);
   if (entry.bias_text) fact('errs', entry.bias_text);

@@ -41,11 +41,15 @@ function heat_cell(data, {entry, family, result, name, tally, figure}) {
   const cell = el('td', 'heat');
   if (n === null) {
     cell.append('·');
-    cell.title = filter.tolerance ? 'not checked: no tolerance was given' : 'not checked: no query was decided';
+    cell.title = 'not checked: ' + (filter.tolerance ? 'no tolerance was given'
+      : result.verdict.decided > 0 ? 'no decided answer had comparisons' : 'no query was decided');
     return cell;
   }
-  const looked_at = filter.tolerance ? result.trials - result.truth.invalid : tally.judged;
-  const limit = n > 0 ? `(${amount(1e6 * n / looked_at, 3)} per million)` : rate(0, result)[1];
+  const {trials, truth, verdict, base_triangles} = result;
+  const looked_at = filter.tolerance ? trials - truth.invalid - (verdict.outside_limits?.trials ?? 0) : tally.judged;
+  // As zero_limits: queries that share a triangle are not independent.
+  const limit = n > 0 ? `(${amount(1e6 * n / looked_at, 3)} per million)`
+    : `(< ${amount(-1e6 * Math.expm1(Math.log(0.05) / Math.min(base_triangles, looked_at)), 3)} per million, 95 %)`;
   const words = `${name} on ${family ?? 'all families'}: ${label} ${count(n)} of ${count(looked_at)} ${limit}`;
   cell.classList.add(`heat-${heat_level(n, looked_at)}`);
   if (n === 0 || filter.tolerance) {

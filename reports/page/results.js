@@ -65,7 +65,7 @@ function apart_tables(data, rows) {
   const imaged = rows.filter((row) => row.result.asymmetry);
   if (imaged.length > 0) {
     made.push(el('h3', '', 'Asymmetry'), table('Asymmetry: other answers to images of queries', [...family_columns(rows),
-      ...['images', 'verdicts', 'compared_comparisons', 'comparisons'].map((member) => column.count(member,
+      ...['images', 'verdicts', 'images_with_comparisons', 'comparisons'].map((member) => column.count(member,
         (row) => row.result.asymmetry[member],
         {note: data.notes.asymmetry[member], alarm: ['verdicts', 'comparisons'].includes(member) ? 'warn' : undefined}))], imaged, grouped(data, imaged)));
   }

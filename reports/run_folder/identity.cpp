@@ -98,11 +98,9 @@ Json queries_of(const PlanRecord& plan, const std::string& family, Precision pre
   Json queries = {{"generator", plan.generators.at(family).version}, {"trials", trials->at(precision)}};
   bool is_list = false;
   for (const FileRecord& file : plan.files) {
-    const bool is_queries = file.kind == "queries";
-    const bool is_corpus = family == corpus_name && file.name == family && is_queries;
-    if (family != file.kind + "/" + file.name && !is_corpus) continue;
+    if (family != file.family_name()) continue;
     queries["sha256"] = json_of(file.sha256);
-    is_list |= is_queries;
+    is_list |= file.has_queries();
   }
   if (!is_list) queries["seed"] = json_of(plan.seed);  // a list of queries is the same with every seed
   return queries;

@@ -174,6 +174,95 @@ std::optional<std::string> fault_of_classes(const KernelRecord& kernel, const Fa
   return std::nullopt;
 }
 
+namespace {
+
+// Whether so many parts are at most the whole. A sum of forged counts may wrap: each is taken from what is left.
+bool fit(std::uint64_t whole, std::initializer_list<std::uint64_t> parts) {
+  return std::ranges::all_of(parts, [&](std::uint64_t part) {
+    const bool fits = part <= whole;
+    whole -= fits ? part : 0;
+    return fits;
+  });
+}
+
+// Of queries with these truths, the contacts and separations that a verdict can be right on, by the promise of touch.
+struct ByPromise {
+  std::uint64_t contacts, separations;
+};
+ByPromise by_promise(TouchingPolicy policy, std::uint64_t contact, std::uint64_t touching, std::uint64_t separated) {
+  return {contact - (policy == TouchingPolicy::contact ? 0 : touching),
+          separated + (policy == TouchingPolicy::separated ? touching : 0)};
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_verdicts(TouchingPolicy policy, const FamilyCounts& counts) {
+  const TruthCounts& truth = counts.truth;
+  const VerdictTally& verdict = counts.verdict;
+  const OutsideTally outside = verdict.outside_limits.value_or(OutsideTally());
+  if (!fit(counts.trials, {truth.separated, truth.contact, truth.invalid}) ||
+      truth.separated + truth.contact + truth.invalid != counts.trials)
+    return "the truths do not add up to the trials";
+  if (truth.touching > truth.contact) return "more touching queries than contacts";
+
+  // The truth outside the limits, and what is left within.
+  if (outside.contact > std::min(outside.trials, truth.contact) || outside.trials - outside.contact > truth.separated ||
+      outside.touching > std::min(outside.contact, truth.touching) ||
+      truth.touching - outside.touching > truth.contact - outside.contact)
+    return "more contacts, touching or separated queries outside the limits than there are";
+  const std::uint64_t separated_outside = outside.trials - outside.contact,
+                      touching = truth.touching - outside.touching,
+                      valid = truth.contact + truth.separated - outside.trials;
+  const auto [contacts_outside, separations_outside] =
+      by_promise(policy, outside.contact, outside.touching, separated_outside);
+  const auto [contacts, separations] =
+      by_promise(policy, truth.contact - outside.contact, touching, truth.separated - separated_outside);
+  if (outside.decided_contacts > contacts_outside || outside.decided_separations > separations_outside ||
+      !fit(outside.trials, {outside.decided_contacts, outside.decided_separations, outside.unanswered}) ||
+      outside.false_separation > outside.decided_contacts || outside.false_contact > outside.decided_separations)
+    return "more decided, wrong or missing answers outside the limits than queries there";
+
+  // Within, each valid query has one answer.
+  if (verdict.undecided_contact > verdict.undecided ||
+      verdict.undecided_touching > std::min(verdict.undecided_contact, touching))
+    return "undecided_contact and undecided_touching do not fit undecided and the truth";
+  const auto [declined_contacts, declined_separations] = by_promise(
+      policy, verdict.undecided_contact, verdict.undecided_touching, verdict.undecided - verdict.undecided_contact);
+  if (!fit(contacts, {verdict.decided_contacts, declined_contacts}) ||
+      !fit(separations, {verdict.decided_separations, declined_separations}))
+    return "more decided and undecided answers than contacts, or than separations";
+  if (verdict.false_separation > verdict.decided_contacts || verdict.false_contact > verdict.decided_separations)
+    return "more false_separation or false_contact verdicts than decided queries";
+  // What touches is right or wrong where a kernel promises something of it, and else in no count of decided queries.
+  const std::uint64_t answered_touching = touching - verdict.undecided_touching,
+                      judged_touching = policy == TouchingPolicy::either ? 0 : answered_touching,
+                      without_verdict = verdict.invalid + verdict.unanswered,
+                      answers = verdict.decided() + verdict.undecided + without_verdict;
+  if (!fit(valid, {verdict.decided_contacts, verdict.decided_separations, verdict.undecided, verdict.invalid,
+                   verdict.unanswered}) ||
+      answers + (answered_touching - judged_touching) < valid)
+    return "more or fewer decided, undecided, invalid and unanswered verdicts than valid queries";
+  const bool is_contact = policy == TouchingPolicy::contact;
+  if (verdict.decided_touching > judged_touching ||
+      verdict.decided_touching > (is_contact ? verdict.decided_contacts : verdict.decided_separations) ||
+      judged_touching - verdict.decided_touching > without_verdict)
+    return "decided_touching does not fit the touching queries and their answers";
+  if (verdict.touching_flips > verdict.decided_touching ||
+      verdict.touching_flips > (is_contact ? verdict.false_separation : verdict.false_contact))
+    return "more touching_flips than wrong verdicts, or than decided queries that touch";
+
+  const ClearTally clear = verdict.clear.value_or(ClearTally());
+  if (clear.queries > valid ||
+      !fit(clear.queries, {clear.decided_contacts, clear.decided_separations, clear.undecided}) ||
+      clear.false_separation > clear.decided_contacts || clear.false_contact > clear.decided_separations)
+    return "more answers to clear queries than there are, or more of these than valid queries";
+  if (clear.decided_contacts > verdict.decided_contacts || clear.decided_separations > verdict.decided_separations ||
+      clear.undecided > verdict.undecided || clear.unanswered() > without_verdict ||
+      clear.false_separation > verdict.false_separation || clear.false_contact > verdict.false_contact)
+    return "more answers of one kind to clear queries than to all";
+  return std::nullopt;
+}
+
 std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uint64_t valid) {
   if (verdict.depths) {
     for (const auto& [kind, decades, whole] :

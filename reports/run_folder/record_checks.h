@@ -21,10 +21,12 @@ std::optional<std::string> fault_of_names(const Record& record);
 const PredicateEntry* entry_of(const Predicate& predicate, const WitnessRecord& query);
 const PredicateEntry* entry_of(const Predicate& predicate, const FindingRecord& query);
 
-// Conditions on a record's classes of input, and on its decades of depth, that its fields cannot express.
+// Conditions on a record's classes of input, verdicts and decades of depth that its fields cannot express.
 
 // Says what contradicts the family's other counts; empty if nothing does, or the family has no classes.
 std::optional<std::string> fault_of_classes(const KernelRecord& kernel, const FamilyRecord& family);
+// The same of its truths and verdicts, by what the kernel promises of touch: which of them can be wrong.
+std::optional<std::string> fault_of_verdicts(TouchingPolicy touching, const FamilyCounts& counts);
 // The same of the depths of a family of `valid` queries, and of those on engine-like queries.
 std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uint64_t valid);
 

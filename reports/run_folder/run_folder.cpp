@@ -177,58 +177,15 @@ class RecordCheck {
       require(contains(plan_.kernels, id), "kernel " + shown_name(id), "has a finding and is not in the plan");
   }
 
-  // The kernel's convention for touching spheres decides which verdicts can be wrong there.
   void check_verdict(const KernelRecord& kernel, const FamilyRecord& family, const std::string& where) const {
-    const TruthCounts& truth = family.truth;
     const VerdictTally& verdict = family.verdict;
-    const std::uint64_t touching = truth.touching, contact = truth.contact, separated = truth.separated;
-    const std::uint64_t valid = contact + separated;
-    const std::uint64_t must_touch = kernel.touching == TouchingPolicy::contact ? contact : contact - touching;
-    const std::uint64_t must_not = kernel.touching == TouchingPolicy::separated ? separated + touching : separated;
     require(verdict.outside_limits.has_value() == has_limits(kernel), where,
             "outside_limits is counted where the kernel declares limits, and only there");
-    std::uint64_t missed = verdict.false_separation, phantom = verdict.false_contact;
-    const std::uint64_t wrong = missed + phantom;
-    const OutsideTally outside = verdict.outside_limits.value_or(OutsideTally());
-    missed += outside.false_separation;
-    phantom += outside.false_contact;
-    require(outside.trials <= valid, where, "more queries outside the limits than valid ones");
-    require(outside.contact <= std::min(outside.trials, contact) &&
-                outside.touching <= std::min(outside.contact, touching) &&
-                outside.trials - outside.contact <= separated,
-            where, "more contacts, touching or separated queries outside the limits than there are");
-    require(outside.false_separation <= outside.decided_contacts &&
-                outside.false_contact <= outside.decided_separations &&
-                outside.decided() + outside.unanswered <= outside.trials,
-            where, "more wrong and missing answers outside the limits than queries there");
-    require(missed <= must_touch, where, "more false_separation verdicts than contacts");
-    require(phantom <= must_not, where, "more false_contact verdicts than separated queries");
-    require(verdict.false_separation <= verdict.decided_contacts && verdict.decided_contacts <= must_touch &&
-                verdict.false_contact <= verdict.decided_separations && verdict.decided_separations <= must_not,
-            where, "more wrong verdicts than decided queries, or more of these than there are");
-    const std::uint64_t answered = verdict.decided() + verdict.undecided + verdict.invalid + verdict.unanswered,
-                        free = kernel.touching == TouchingPolicy::either ? touching : 0;
-    require(answered <= valid - outside.trials && valid - outside.trials <= answered + free, where,
-            "more or fewer decided, undecided, invalid and unanswered verdicts than valid queries");
-    require(verdict.undecided_contact <= std::min(verdict.undecided, contact) &&
-                verdict.undecided_touching <= std::min(verdict.undecided_contact, touching) &&
-                verdict.undecided - verdict.undecided_contact <= separated,
-            where, "undecided_contact and undecided_touching do not fit undecided and the truth");
-    const bool has_reference = kernel.reference.value_or(false);
-    require(verdict.clear.has_value() != has_reference, where,
+    require(verdict.clear.has_value() != kernel.reference.value_or(false), where,
             "clear is counted where the kernel has no reference, and only there");
-    const ClearTally clear = verdict.clear.value_or(ClearTally());
-    require(clear.false_separation <= clear.decided_contacts && clear.false_contact <= clear.decided_separations &&
-                clear.decided() + clear.undecided <= clear.queries && clear.queries <= valid - outside.trials,
-            where, "more answers to clear queries than there are, or more of these than valid queries");
-    require(clear.false_separation <= verdict.false_separation && clear.false_contact <= verdict.false_contact &&
-                clear.undecided <= verdict.undecided && clear.unanswered() <= verdict.invalid + verdict.unanswered &&
-                clear.decided_contacts <= verdict.decided_contacts &&
-                clear.decided_separations <= verdict.decided_separations,
-            where, "more answers of one kind to clear queries than to all");
-    require(verdict.touching_flips <= std::min(wrong, verdict.decided_touching) &&
-                verdict.decided_touching <= std::min(verdict.decided(), touching - outside.touching),
-            where, "more touching_flips than wrong verdicts, or than decided queries that touch");
+    require_no(fault_of_verdicts(kernel.touching, family), where);
+    const std::uint64_t valid = family.truth.contact + family.truth.separated,
+                        wrong = verdict.false_separation + verdict.false_contact;
     require_no(fault_of_depths(verdict, valid), where);
     for (const Link link : enumerators<Link>) {
       const std::uint64_t count = verdict.links[link], of_touching = verdict.touching_links[link];
@@ -257,10 +214,6 @@ class RecordCheck {
   }
 
   void check_counts(const KernelRecord& kernel, const FamilyRecord& family, const std::string& where) const {
-    const TruthCounts& truth = family.truth;
-    require(truth.separated + truth.contact + truth.invalid == family.trials, where,
-            "the truths do not add up to the trials");
-    require(truth.touching <= truth.contact, where, "more touching queries than contacts");
     require(family.base_triangles <= family.trials, where, "more base_triangles than trials");
     check_verdict(kernel, family, where);
     require_no(fault_of_classes(kernel, family), where);
@@ -274,7 +227,7 @@ class RecordCheck {
               where, "more answers that contradict themselves than answers with a number");
     }
     const std::uint64_t promised =
-        truth.contact + truth.separated - family.verdict.outside_limits.value_or(OutsideTally()).trials;
+        family.truth.contact + family.truth.separated - family.verdict.outside_limits.value_or(OutsideTally()).trials;
     const auto check_signs = [&](const auto& signs) {
       if (!signs) return;
       for (const auto& [sign, tally] : *signs) {

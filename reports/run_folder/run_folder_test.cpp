@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "fuzz/text/json_form.h"
+#include "reports/run_folder/record_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/testing/test_run.h"
 
@@ -152,6 +153,64 @@ TEST(RunFolder, CountsThatContradictEachOtherAreRefused) {
               HasSubstr("plane.radius"));
   EXPECT_THAT(error_after_edit([](Json& r) { r["kernels"].push_back(r["kernels"][0]); }), HasSubstr("twice"));
   EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][1]["id"] = "w1"; }), HasSubstr("twice"));
+}
+
+// 75 valid queries within the limits, of which six touch.
+FamilyCounts counts_of(TouchingPolicy policy) {
+  FamilyCounts counts;
+  counts.trials = 100;
+  counts.truth = {50, 45, 10, 5};
+  VerdictTally& verdict = counts.verdict;
+  verdict.outside_limits->trials = 20;
+  verdict.outside_limits->contact = 10;
+  verdict.outside_limits->touching = 4;
+  verdict.outside_limits->decided_contacts = 6;
+  verdict.decided_contacts = policy == TouchingPolicy::contact ? 30 : 26;
+  verdict.decided_separations = policy == TouchingPolicy::separated ? 41 : 37;
+  verdict.decided_touching = policy == TouchingPolicy::either ? 0 : 4;
+  verdict.undecided = 6;
+  verdict.undecided_contact = 4;
+  verdict.undecided_touching = 2;
+  verdict.invalid = verdict.unanswered = 1;
+  verdict.false_separation = verdict.false_contact = 3;
+  verdict.touching_flips = policy == TouchingPolicy::either ? 0 : 1;
+  ClearTally& clear = *verdict.clear;
+  clear.queries = 20;
+  clear.decided_contacts = clear.decided_separations = 8;
+  clear.undecided = 3;
+  clear.false_separation = 1;
+  return counts;
+}
+
+TEST(RunFolder, VerdictsFitTheTruthAndThePromiseOfTouch) {
+  for (const TouchingPolicy policy : {TouchingPolicy::contact, TouchingPolicy::separated, TouchingPolicy::either}) {
+    EXPECT_EQ(fault_of_verdicts(policy, counts_of(policy)).value_or(""), "");
+    const auto expect_fault = [&](const char* says, const std::function<void(FamilyCounts&)>& edit) {
+      FamilyCounts counts = counts_of(policy);
+      edit(counts);
+      EXPECT_THAT(fault_of_verdicts(policy, counts).value_or("none"), HasSubstr(says));
+    };
+    constexpr std::uint64_t half = std::uint64_t{1} << 63;  // two of them are 0
+    expect_fault("truths", [](FamilyCounts& c) { c.truth.separated += half, c.truth.contact += half; });
+    expect_fault("outside the limits", [](FamilyCounts& c) {
+      c.verdict.outside_limits->decided_contacts = c.verdict.outside_limits->decided_separations = half;
+    });
+    expect_fault("outside the limits", [](FamilyCounts& c) { c.verdict.outside_limits->touching = 11; });
+    expect_fault("than contacts", [](FamilyCounts& c) { c.verdict.decided_contacts += 2; });
+    expect_fault("than decided queries", [](FamilyCounts& c) { c.verdict.false_contact = 43; });
+    expect_fault("undecided_touching", [](FamilyCounts& c) { c.verdict.undecided_touching = 5; });
+    expect_fault("fewer", [](FamilyCounts& c) { --c.verdict.unanswered; });
+    expect_fault("decided_touching", [](FamilyCounts& c) { c.verdict.decided_touching = 5; });
+    if (policy != TouchingPolicy::either)  // two others may have no verdict
+      expect_fault("decided_touching", [](FamilyCounts& c) { c.verdict.decided_touching = 1; });
+    expect_fault("touching_flips", [](FamilyCounts& c) { c.verdict.touching_flips = 4; });
+    expect_fault("clear", [](FamilyCounts& c) { c.verdict.clear->false_separation = 9; });
+    expect_fault("clear", [](FamilyCounts& c) { c.verdict.clear->decided_contacts = half; });
+    expect_fault("to all",
+                 [](FamilyCounts& c) { c.verdict.clear->queries += 23, c.verdict.clear->decided_contacts += 23; });
+    expect_fault("to all", [](FamilyCounts& c) { c.verdict.clear->queries += 4, c.verdict.clear->undecided += 4; });
+    expect_fault("to all", [](FamilyCounts& c) { c.verdict.clear->false_contact = 4; });
+  }
 }
 
 TEST(RunFolder, WhatAPlanOrKernelListsTwiceIsRefused) {

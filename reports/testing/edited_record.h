@@ -21,6 +21,11 @@ inline Record edited(Json json) {
       verdict["decided"] =
           verdict["decided_contacts"].get<std::uint64_t>() + verdict["decided_separations"].get<std::uint64_t>();
       if (verdict["decided"] == 0) verdict["links"] = verdict["masked_links"] = nullptr;
+      std::uint64_t answered = family["trials"];
+      for (const Json& apart :
+           {family["truth"]["invalid"], verdict["undecided"], verdict["invalid"], verdict["unanswered"]})
+        answered -= std::min(answered, apart.get<std::uint64_t>());
+      verdict["decided_touching"] = std::min(answered, verdict["decided_touching"].get<std::uint64_t>());
       if (verdict["decided_touching"] == 0) verdict["touching_flips"] = verdict["touching_links"] = nullptr;
       for (const char* level : {"axes", "comparisons"}) {
         if (family[level].is_null()) continue;

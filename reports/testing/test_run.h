@@ -128,11 +128,15 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
   for (Json& family : kernel["families"]) {
     const std::uint64_t contacts = outside * 3 / 5;
     Json& verdict = family["verdict"];
-    verdict["outside_limits"] = outside_all(contacts, 0, outside - contacts);
+    const std::uint64_t touching = family["truth"]["touching"],
+                        touching_within =
+                            std::min(touching, family["truth"]["contact"].get<std::uint64_t>() - contacts);
+    verdict["outside_limits"] = outside_all(contacts, touching - touching_within, outside - contacts);
     const auto leave_out = [&](const char* figure, std::uint64_t count) {
       verdict[figure] = verdict[figure].get<std::uint64_t>() - count;
     };
     leave_out("decided_contacts", contacts);
+    leave_out("decided_touching", touching - touching_within);
     leave_out("decided_separations", outside - contacts);
     leave_out("decided", outside);
   }

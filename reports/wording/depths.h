@@ -21,8 +21,7 @@ std::vector<std::uint64_t> depth_counts(const DecadeCounts& decades);
 // "zero: 3, 1e-8: 12": the columns that are not zero; "none".
 std::string depths_text(const DecadeCounts& decades);
 // "12 missed and 3 phantom contacts on 1,234 engine-like queries", of a kernel's families combined (all_families) or of
-// one family; empty where these were not counted. Then ", of which it decided at most 34" where it left some queries
-// without a verdict: the record does not say which.
+// one family; empty where these were not counted. Then ", of which it decided 34" where it left some without a verdict.
 std::string engine_text(const FamilyRecord& family);
 // "4 phantom contacts for each missed one; critical radius early on 3, late on 1 of 512, signed median -0.5 ulps", or
 // "phantom contacts alone, with 0 of 900 contacts decided"; empty where nothing is wrong and no radius was measured.

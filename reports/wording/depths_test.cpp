@@ -69,7 +69,7 @@ FamilyRecord sides() {
   FamilyRecord family;
   family.trials = family.base_triangles = 1000;
   family.truth = {400, 600, 0, 0};
-  family.verdict.engine = EngineTally{1000, 600, 400, {}};
+  family.verdict.engine = EngineTally{{600, 400}, 1000, {}};
   return family;
 }
 

@@ -95,12 +95,12 @@ std::string joined(const std::vector<Name>& names) { return fmt::format("{}", fm
 
 std::string file_kind(const FileRecord& file) {
   if (file.kind == "mesh") return "mesh";
-  if (file.kind == "queries") return "query file";
+  if (file.has_queries()) return "query file";
   return file.kind == "plugin" ? "plug-in" : fmt::format("program's {}", file.kind);
 }
 
 std::string file_fact(const FileRecord& file) {
-  const bool is_mesh = file.kind == "mesh", is_of_kernel = !is_mesh && file.kind != "queries";
+  const bool is_mesh = file.kind == "mesh", is_of_kernel = !is_mesh && !file.has_queries();
   if (is_of_kernel && !file.sha256) return file.name + ", which could not be read";
   const auto count = [](std::optional<std::uint64_t> of) { return thousands(of.value_or(0)); };
   std::string contents;

@@ -161,17 +161,21 @@ class Forged(CertifyCase):
                 counts.setdefault("verdict", {})  # nothing is wrong there
                 change(counts)
             return made
-        self.not_valid(with_counts(lambda c: c["truth"].update(contact=c["truth"].get("contact", 0) + 1)), "are not all queries")
+        self.not_valid(with_counts(lambda c: c["truth"].update(contact=c["truth"].get("contact", 0) + 1)), "the truths do not add up")
         self.not_valid(with_counts(lambda c: c["verdict"].update(undecided=300)), "answers than")
         self.not_valid(with_counts(lambda c: c["verdict"].update(false_separation=-1)), "a count there is from 0 to")
         self.not_valid(with_counts(lambda c: c["verdict"].update(false_separation="1")), "a count there is from 0 to")
         self.not_valid(with_counts(lambda c: c["verdict"].update(mistakes=1)), "which no count is called")
         self.not_valid(with_counts(lambda c: c["verdict"].update(deepest="deep")), "which is no number")
+        self.not_valid(with_counts(lambda c: c["verdict"].update(touching_flips=c["verdict"].get("decided_touching", 0) + 1)), "more touching_flips than")
+        self.not_valid(with_counts(lambda c: c["verdict"].update(clear={"queries": 1, "undecided": 1}), k=1), "answers of one kind to clear")
         self.not_valid(lambda p: tallies(p)[0]["counts"].pop(), "tallies")
 
         def another_truth(counts):
             truth = counts["truth"]
             truth.update(contact=truth.get("contact", 0) + 1, separated=truth["separated"] - 1)
+            verdict = counts["verdict"]
+            verdict.update(decided_contacts=verdict.get("decided_contacts", 0) + 1, decided_separations=verdict["decided_separations"] - 1)
         self.not_valid(with_counts(another_truth, k=1), "the truth of the same queries is another")
 
     def test_an_effort_that_its_plan_is_not(self):

@@ -188,11 +188,11 @@ template bool is_engine_like(const Query<float>&);
 template bool is_engine_like(const Query<double>&);
 
 template <class Real>
-std::vector<std::uint8_t> engine_like_queries(const QueryColumns<Real>& columns) {
+void find_engine_like(const QueryColumns<Real>& columns, std::vector<std::uint8_t>& all) {
   // Blocks of a fixed size and flags as wide as a number: a compiler makes vectors of these loops.
   constexpr std::size_t radius = coordinate_count - 1, block = 64;
   using Flag = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-  std::vector<std::uint8_t> all(columns.size);
+  all.resize(columns.size);
   const auto put_from = [&](std::size_t first, auto size) {
     std::array<Flag, block> flags;
     const Real* radii = columns.column[radius] + first;
@@ -206,9 +206,8 @@ std::vector<std::uint8_t> engine_like_queries(const QueryColumns<Real>& columns)
   std::size_t first = 0;
   for (; first + block <= columns.size; first += block) put_from(first, std::integral_constant<std::size_t, block>());
   put_from(first, columns.size - first);
-  return all;
 }
-template std::vector<std::uint8_t> engine_like_queries(const QueryColumns<float>&);
-template std::vector<std::uint8_t> engine_like_queries(const QueryColumns<double>&);
+template void find_engine_like(const QueryColumns<float>&, std::vector<std::uint8_t>&);
+template void find_engine_like(const QueryColumns<double>&, std::vector<std::uint8_t>&);
 
 }  // namespace axiscert

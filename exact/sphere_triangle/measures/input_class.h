@@ -70,9 +70,9 @@ bool is_degenerate(const Query<Real>& q) {
 // on one is counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
 template <class Real>
 bool is_engine_like(const Query<Real>& q);
-// Of many queries: 1 for one that is, else 0.
+// Of many queries: 1 for one that is, else 0; `all` gets their number.
 template <class Real>
-std::vector<std::uint8_t> engine_like_queries(const QueryColumns<Real>& columns);
+void find_engine_like(const QueryColumns<Real>& columns, std::vector<std::uint8_t>& all);
 template <class Real>
 inline constexpr double engine_depth = sizeof(Real) == 4 ? 0x1p-20 : 0x1p-49;  // 16 u
 
