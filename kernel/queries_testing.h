@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "kernel/ask.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::testing_support {
 

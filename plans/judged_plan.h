@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/campaign/stretch.h"
 #include "fuzz/campaign/progress.h"
+#include "fuzz/campaign/stretch.h"
 #include "fuzz/record/run_info.h"
 #include "kernel/kernel.h"
 #include "plans/output_folder.h"

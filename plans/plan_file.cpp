@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "fuzz/instruments/effort.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/files/corpus.h"
+#include "fuzz/instruments/effort.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"

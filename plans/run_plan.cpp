@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/instruments/effort.h"
 #include "fuzz/files/corpus.h"
-#include "fuzz/files/query_file.h"
 #include "fuzz/files/mesh.h"
+#include "fuzz/files/query_file.h"
+#include "fuzz/instruments/effort.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/text/file_bytes.h"

@@ -2,11 +2,11 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.h"
+#include "cli/commands/certify.h"
+#include "cli/commands/verify.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/commands/certify.h"
-#include "cli/commands/verify.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/instruments/effort.h"

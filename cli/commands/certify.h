@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "cli/reply_plan.h"
 #include "cli/commands/run_output.h"
+#include "cli/reply_plan.h"
 #include "fuzz/instruments/effort.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/search/search.h"
+#include "fuzz/text/json_form.h"
 #include "plans/plan_file.h"
 #include "reports/certificate/certificate_data.h"
 

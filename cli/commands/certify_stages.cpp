@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/commands/mutation_gate.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
-#include "cli/commands/mutation_gate.h"
-#include "fuzz/instruments/safe_margin.h"
 #include "fuzz/diagnosis/diagnosis.h"
 #include "fuzz/instruments/black_box.h"
+#include "fuzz/instruments/safe_margin.h"
 #include "fuzz/text/file_bytes.h"
 #include "fuzz/text/json.h"
 #include "plans/predicate_options.h"

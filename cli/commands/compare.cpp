@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/commands/run_output.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "kernel/base/error.h"

@@ -1,11 +1,11 @@
 #include <atomic>
 #include <optional>
 
+#include "cli/commands/run_output.h"
 #include "cli/ending.h"
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "plans/kernel_figures.h"

@@ -9,11 +9,11 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/commands/run_output.h"
 #include "cli/ending.h"
 #include "cli/progress_line.h"
-#include "cli/commands/run_output.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "plans/notices.h"
 #include "plans/shrink_query.h"

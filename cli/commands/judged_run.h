@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/run_options.h"
 #include "cli/commands/run_output.h"
+#include "cli/run_options.h"
 #include "plans/judged_plan.h"
 #include "reports/gates/ratchet.h"
 

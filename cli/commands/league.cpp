@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 
+#include "cli/commands/run_output.h"
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/commands/run_output.h"
 #include "fuzz/confirm/cause.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/queries/source.h"

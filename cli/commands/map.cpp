@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/commands/run_output.h"
 #include "cli/ending.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "exact/judge/oracles.h"

@@ -5,19 +5,19 @@
 #include <memory>
 #include <optional>
 
+#include "cli/commands/mutation_gate.h"
+#include "cli/commands/run_output.h"
 #include "cli/ending.h"
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/commands/mutation_gate.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "exact/judge/oracles.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "kernel/registry/self_check.h"
 #include "plans/predicate_options.h"

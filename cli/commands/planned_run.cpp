@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "cli/commands.h"
-#include "cli/ending.h"
-#include "cli/progress_line.h"
 #include "cli/commands/judged_run.h"
 #include "cli/commands/run_output.h"
+#include "cli/ending.h"
+#include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "fuzz/campaign/distribute.h"
 #include "fuzz/text/file_bytes.h"

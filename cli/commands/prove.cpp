@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/commands/run_output.h"
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "proofs/bounds.h"
 #include "proofs/checkers.h"

@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <random>
 
-#include "cli/progress_line.h"
 #include "cli/commands/run_output.h"
+#include "cli/progress_line.h"
 #include "fuzz/campaign/gathered.h"
 #include "kernel/base/error.h"
 

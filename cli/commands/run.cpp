@@ -5,12 +5,12 @@
 #include <map>
 
 #include "cli/commands.h"
+#include "cli/commands/judged_run.h"
+#include "cli/commands/planned_run.h"
 #include "cli/help.h"
 #include "cli/progress_line.h"
 #include "cli/reply_plan.h"
 #include "cli/run_options.h"
-#include "cli/commands/judged_run.h"
-#include "cli/commands/planned_run.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/text/file_bytes.h"

@@ -2,12 +2,12 @@
 
 #include <atomic>
 
+#include "cli/commands/run_output.h"
 #include "cli/ending.h"
 #include "cli/help.h"
 #include "cli/instrument_options.h"
 #include "cli/progress_line.h"
 #include "cli/run_options.h"
-#include "cli/commands/run_output.h"
 #include "cli/shared_options.h"
 #include "cli/usage.h"
 #include "fuzz/search/pools.h"

@@ -59,7 +59,7 @@ class Compare(Case):
         bad, out = self.folder / "bad", self.folder / "compared"
         bad.mkdir()
         for text, says in {
-            good.replace("axiscert-record/7", "axiscert-record/6"): ['its schema is "axiscert-record/6"', "axiscert-record/7", "again with `axiscert run`"],
+            good.replace("axiscert-record/8", "axiscert-record/7"): ['its schema is "axiscert-record/7"', "axiscert-record/8", "again with `axiscert run`"],
             good.replace('"predicate": "sphere-triangle"', '"predicate": "nosuch"'): ["/plan/predicate", "unknown predicate 'nosuch'", "sphere-triangle"],
             good[:-100]: ["cut off"],
             good.replace('"plane.radius"', '"plane.radios"', 1): ["plane.radi"],

@@ -204,7 +204,7 @@ class Shards(PlanCase):
 
         journal = folders[1] / "journal"
         whole = journal.read_bytes()
-        journal.write_bytes(whole.replace(b"axiscert-journal/6", b"axiscert-journal/2", 1))
+        journal.write_bytes(whole.replace(b"axiscert-journal/7", b"axiscert-journal/2", 1))
         said = self.merge(*folders, code=2).stderr
         self.assertIn('it begins with "axiscert-journal/2 ', said)
         self.assertIn("it is of another version: run the plan again into an empty folder", said)

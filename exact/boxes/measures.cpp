@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "exact/numbers/binary_fraction.h"
 #include "exact/judge/trait.h"
+#include "exact/numbers/binary_fraction.h"
 
 namespace axiscert::boxes {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "exact/boxes/contact.h"
 #include "exact/judge/depth.h"
-#include "exact/moving_sphere/motion_distance.h"
 #include "exact/judge/exact_facts.h"
+#include "exact/moving_sphere/motion_distance.h"
 
 namespace axiscert::capsule {
 

@@ -2,8 +2,8 @@
 // query with CGAL's distance and, by the theorem of docs/moving.md, with the twenty axes.
 #include "exact/boxes/contact_judge.h"
 #include "exact/capsule_triangle/contact.h"
-#include "exact/moving_sphere/trait.h"
 #include "exact/judge/oracles_of.h"
+#include "exact/moving_sphere/trait.h"
 #include "kernel/capsule_triangle/capsule.h"
 
 namespace axiscert {

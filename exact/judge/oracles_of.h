@@ -10,10 +10,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "exact/numbers/floating.h"
 #include "exact/judge/clear.h"
 #include "exact/judge/oracles.h"
 #include "exact/judge/trait.h"
+#include "exact/numbers/floating.h"
 #include "kernel/base/error.h"
 #include "kernel/query.h"
 

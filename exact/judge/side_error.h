@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/exact_sides.h"
+#include "exact/numbers/rational.h"
 
 namespace axiscert {
 

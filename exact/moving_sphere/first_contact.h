@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "exact/judge/contact_judgement.h"
+#include "exact/judge/exact_facts.h"
 #include "exact/moving_sphere/motion_distance.h"
 #include "exact/numbers/roots.h"
-#include "exact/judge/exact_facts.h"
 
 namespace axiscert::moving_sphere {
 

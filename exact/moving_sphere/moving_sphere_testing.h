@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "exact/judge/oracles_of.h"
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/trait.h"
 #include "exact/numbers/floating.h"
-#include "exact/judge/oracles_of.h"
 #include "kernel/ask.h"
 
 namespace axiscert::moving_sphere {

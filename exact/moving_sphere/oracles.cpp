@@ -1,5 +1,5 @@
-#include "exact/moving_sphere/trait.h"
 #include "exact/judge/oracles_of.h"
+#include "exact/moving_sphere/trait.h"
 
 namespace axiscert {
 

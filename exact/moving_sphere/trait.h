@@ -8,14 +8,14 @@
 #include <array>
 #include <cmath>
 
+#include "exact/judge/clear.h"
+#include "exact/judge/oracles.h"
+#include "exact/judge/trait.h"
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/motion_distance.h"
 #include "exact/moving_sphere/motion_judge.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
-#include "exact/judge/clear.h"
-#include "exact/judge/oracles.h"
-#include "exact/judge/trait.h"
 #include "kernel/moving_sphere/twenty.h"
 
 namespace axiscert::moving_sphere {

@@ -6,8 +6,8 @@
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "exact/sphere_triangle/unbounded.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

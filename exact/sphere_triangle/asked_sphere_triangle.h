@@ -5,9 +5,9 @@
 #include <forward_list>
 #include <optional>
 
+#include "exact/judge/oracles.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
-#include "exact/judge/oracles.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

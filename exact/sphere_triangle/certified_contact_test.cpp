@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "exact/sphere_triangle/certified_queries.h"
 #include "exact/sphere_triangle/certified_contact_truth.h"
+#include "exact/sphere_triangle/certified_queries.h"
 #include "kernel/base/environment.h"
 #include "kernel/include/axiscert/contact.hpp"
 #include "kernel/sphere_triangle/certified/contact_steps.h"

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "kernel/random_testing.h"
 #include "kernel/sphere_triangle/certified/integer.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/random_testing.h"
 
 namespace axiscert::testing_support {
 

@@ -2,15 +2,15 @@
 #include "exact/judge/oracles.h"
 #include "kernel/query.h"
 
+#include "exact/judge/clear.h"
 #include "exact/sphere_triangle/asked_sphere_triangle.h"
-#include "exact/sphere_triangle/oracles/cascade.h"
 #include "exact/sphere_triangle/measures/contact_judge.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/sphere_triangle/oracles/cascade.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/judge/clear.h"
 #include "kernel/sphere_triangle/forms/ladder.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "exact/sphere_triangle/unbounded.h"
-#include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/random_testing.h"
+#include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "examples/character/options.h"
 #include "examples/character/judgement.h"
+#include "examples/character/options.h"
 
 namespace axiscert::character {
 // Prints the tables; returns the exit code.

@@ -6,11 +6,11 @@
 #include <charconv>
 #include <optional>
 
+#include "examples/character/command.h"
 #include "examples/character/comparison.h"
+#include "examples/character/journey.h"
 #include "examples/character/options.h"
 #include "examples/character/picture.h"
-#include "examples/character/command.h"
-#include "examples/character/journey.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/text/file_bytes.h"
 #include "kernel/base/error.h"

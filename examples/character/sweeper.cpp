@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "exact/numbers/enclosed.h"
 #include "exact/judge/trait.h"
+#include "exact/numbers/enclosed.h"
 #include "kernel/ask.h"
 #include "kernel/moving_sphere/names.h"
 #include "kernel/moving_sphere/twenty.h"

@@ -11,8 +11,8 @@
 
 #include "fuzz/campaign/machine.h"
 #include "fuzz/campaign/unit.h"
-#include "fuzz/text/merge.h"
 #include "fuzz/queries/capabilities.h"
+#include "fuzz/text/merge.h"
 #include "kernel/base/stopwatch.h"
 
 namespace axiscert {

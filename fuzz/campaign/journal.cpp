@@ -46,7 +46,7 @@ std::uint64_t content_check(std::uint64_t offset, std::string_view content) {
   return first_bytes<std::uint64_t>(fmt::format("{}{}", raw(offset), content));
 }
 
-constexpr std::string_view any_journal = "axiscert-journal/", journal_format = "axiscert-journal/6";
+constexpr std::string_view any_journal = "axiscert-journal/", journal_format = "axiscert-journal/7";
 
 std::string first_line(const std::string& plan_digest) { return fmt::format("{} {}\n", journal_format, plan_digest); }
 

@@ -1,7 +1,7 @@
 // The journal: an append-only file of entries, each with its checksums. Appended entries are not lost if the process is
 // killed; an entry that was being written at that moment is dropped.
 //
-// The file is a line, "axiscert-journal/6 DIGEST\n", DIGEST that of the plan in 64 hex digits, and entries. An entry is
+// The file is a line, "axiscert-journal/7 DIGEST\n", DIGEST that of the plan in 64 hex digits, and entries. An entry is
 // 16 bytes, little-endian, and its content:
 //   u32  length of the content
 //   u32  first 4 bytes of SHA-256 over the plan's digest, the entry's offset in the file (u64) and the length

@@ -8,8 +8,8 @@
 #include "fuzz/campaign/gathered.h"
 #include "fuzz/campaign/stretch.h"
 #include "fuzz/campaign/stretch_testing.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/scalar_kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 // Tallies of real units: the same bytes in whatever order they were merged, and a round trip.

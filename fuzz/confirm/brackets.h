@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/record/slack_record.h"
 #include "fuzz/confirm/slack_scenes.h"
+#include "fuzz/record/slack_record.h"
 
 namespace axiscert {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "exact/judge/oracles.h"
+#include "fuzz/confirm/brackets.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/queries/capabilities.h"
-#include "fuzz/confirm/brackets.h"
 
 namespace axiscert {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/files/query_file.h"
 #include "fuzz/confirm/brackets.h"
 #include "fuzz/confirm/planted_slacks_testing.h"
+#include "fuzz/files/query_file.h"
 
 namespace axiscert {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 
 namespace axiscert {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/judge/examine.h"
+#include "exact/sphere_triangle/measures/input_class.h"
 #include "fuzz/confirm/asymmetry.h"
 #include "fuzz/confirm/record.h"
 #include "fuzz/record/witness_record.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json_form.h"
 
 namespace axiscert {
 namespace {

@@ -13,9 +13,9 @@
 #include <sstream>
 
 #include "fuzz/diagnosis/kernel_table_testing.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/instruments_testing.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"
 

@@ -9,10 +9,10 @@
 
 #include "fuzz/queries/floats.h"
 #include "kernel/base/environment.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/contracted.h"
 #include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/sphere_triangle/forms/scalar_kernel.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::made {
 

@@ -9,11 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_line.h"
 #include "fuzz/files/query_object.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/folders.h"

@@ -16,8 +16,8 @@
 #include "fuzz/sphere_triangle/families/parts/images.h"
 #include "fuzz/sphere_triangle/families/parts/sphere_triangle_query.h"
 #include "kernel/base/folders.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/queries_testing.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 

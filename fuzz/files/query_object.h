@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "exact/judge/oracles.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/text/json.h"
+#include "fuzz/text/json_form.h"
 
 namespace axiscert {
 // A line of a query file, on which lines with more members are based.

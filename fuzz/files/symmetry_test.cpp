@@ -10,8 +10,8 @@
 #include "exact/sphere_triangle/oracles/second_oracle.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/random.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/queries_testing.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/merge.h"
 #include "fuzz/instruments/mutation.h"
 #include "fuzz/record/record.h"
+#include "fuzz/text/merge.h"
 
 namespace axiscert {
 

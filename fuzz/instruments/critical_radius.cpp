@@ -5,10 +5,10 @@
 
 #include "exact/judge/critical_radius.h"
 #include "exact/judge/oracles.h"
-#include "fuzz/text/merge.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/merge.h"
 #include "kernel/query.h"
 
 namespace axiscert {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "fuzz/campaign/progress.h"
-#include "fuzz/text/field.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/field.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/examine.h"
 #include "exact/judge/oracles.h"
+#include "exact/numbers/rational.h"
 #include "fuzz/instruments/instruments_testing.h"
 #include "fuzz/queries/family.h"
 #include "kernel/ask.h"
 #include "kernel/moving_sphere/moving_sphere.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/queries_testing.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

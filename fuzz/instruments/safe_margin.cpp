@@ -10,9 +10,9 @@
 
 #include "exact/judge/critical_radius.h"
 #include "exact/judge/oracles.h"
-#include "fuzz/text/merge.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/ask.h"
 #include "kernel/base/error.h"

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/oracles.h"
+#include "exact/numbers/rational.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/files/query_file.h"
 #include "fuzz/record/looked_at.h"

@@ -3,8 +3,8 @@
 #include "exact/moving_sphere/first_contact.h"
 #include "fuzz/diagnosis/scenes.h"
 #include "fuzz/moving_sphere/capability_parts.h"
-#include "fuzz/moving_sphere/situations.h"
 #include "fuzz/moving_sphere/mesh_motion.h"
+#include "fuzz/moving_sphere/situations.h"
 #include "fuzz/queries/image_groups.h"
 
 namespace axiscert {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fuzz/confirm/absolute_size.h"
-#include "fuzz/queries/capabilities.h"
 #include "fuzz/confirm/slack_scenes.h"
+#include "fuzz/queries/capabilities.h"
 
 namespace axiscert::moving_sphere {
 

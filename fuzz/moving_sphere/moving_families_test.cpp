@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "exact/judge/oracles.h"
 #include "exact/moving_sphere/first_contact.h"
 #include "exact/moving_sphere/motion_distance.h"
-#include "exact/judge/oracles.h"
 #include "fuzz/campaign/campaign.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"

@@ -11,8 +11,8 @@
 #include "exact/boxes/contact.h"
 #include "exact/boxes/trait.h"
 #include "exact/boxes/triangle_trait.h"
-#include "exact/numbers/roots.h"
 #include "exact/judge/oracles.h"
+#include "exact/numbers/roots.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 

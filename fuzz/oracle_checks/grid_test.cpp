@@ -1,7 +1,7 @@
 // Signs by integers on the queries of the families, compared with those of arbitrary precision.
-#include "exact/sphere_triangle/oracles/grid_signs.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/grid_signs.h"
 #include "fuzz/queries/family_testing.h"
 #include "kernel/sphere_triangle/query.h"
 

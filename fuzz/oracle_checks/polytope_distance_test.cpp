@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "exact/moving_sphere/motion_distance.h"
 #include "exact/judge/oracles.h"
+#include "exact/moving_sphere/motion_distance.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 

@@ -14,9 +14,9 @@
 #include "fuzz/queries/floats.h"
 #include "fuzz/sphere_triangle/families/parts/boundary.h"
 #include "kernel/base/error.h"
-#include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/sources_testing.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

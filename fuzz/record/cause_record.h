@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/values.h"
 #include "fuzz/record/witness_record.h"
+#include "fuzz/text/values.h"
 #include "kernel/base/enums.h"
 #include "kernel/names.h"
 

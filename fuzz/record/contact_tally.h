@@ -7,10 +7,10 @@
 #include <string>
 
 #include "exact/judge/contact_judgement.h"
-#include "fuzz/text/field.h"
-#include "fuzz/text/values.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/wrong_verdicts.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/values.h"
 #include "fuzz/record/cause_record.h"
 #include "fuzz/record/family_record.h"
 #include "fuzz/record/plan_record.h"
 #include "fuzz/record/slack_record.h"
+#include "fuzz/text/values.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "exact/judge/side_error.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/record/tally.h"
+#include "fuzz/text/json_form.h"
 
 namespace axiscert {
 namespace {

@@ -1,6 +1,6 @@
 // Margins: the exponents are those of rational arithmetic, and no finite comparison is wrong above its largest error.
-#include "fuzz/text/json_form.h"
 #include "fuzz/record/margins.h"
+#include "fuzz/text/json_form.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

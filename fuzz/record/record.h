@@ -18,7 +18,7 @@ struct Record {
   std::vector<FindingRecord> findings;
   std::vector<WitnessRecord> witnesses;
 
-  static constexpr std::string_view format = "axiscert-record/7", title = "The deterministic result of an axiscert run",
+  static constexpr std::string_view format = "axiscert-record/8", title = "The deterministic result of an axiscert run",
                                     about = "No clock, host, thread count, target or compiler: those are in run.json.";
   AXISCERT_FIELDS(
       Record, AXISCERT_FIELD(schema, "The format of this file. A reader refuses any other."),

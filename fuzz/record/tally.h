@@ -10,12 +10,12 @@
 
 #include "exact/judge/judge.h"
 #include "exact/numbers/rational.h"
-#include "fuzz/text/field.h"
-#include "fuzz/text/values.h"
 #include "fuzz/record/contact_tally.h"
 #include "fuzz/record/leaders.h"
 #include "fuzz/record/margins.h"
 #include "fuzz/record/wrong_verdicts.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "kernel/outcome.h"
 
 namespace axiscert {

@@ -11,9 +11,9 @@
 #include "exact/judge/depth.h"
 #include "exact/judge/judge.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "fuzz/record/leaders.h"
 #include "fuzz/text/field.h"
 #include "fuzz/text/values.h"
-#include "fuzz/record/leaders.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

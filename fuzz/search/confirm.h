@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/examine.h"
+#include "exact/numbers/rational.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/search/method.h"
 #include "kernel/kernel.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "exact/judge/oracles.h"
 #include "exact/numbers/input_scale.h"
 #include "exact/numbers/rational.h"
-#include "exact/judge/oracles.h"
 #include "fuzz/queries/capabilities.h"
 
 namespace axiscert {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/judge/side_error.h"
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/measures/input_class.h"
 #include "exact/sphere_triangle/measures/nearest_place.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/judge/side_error.h"
 #include "fuzz/confirm/witness.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/text/number_text.h"

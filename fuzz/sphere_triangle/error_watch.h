@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
+#include "exact/judge/side_error.h"
 #include "exact/sphere_triangle/oracles/cascade.h"
 #include "exact/sphere_triangle/oracles/wide_margins.h"
-#include "exact/judge/side_error.h"
 #include "fuzz/campaign/unit.h"
 #include "fuzz/record/tally.h"
 #include "kernel/formulae_list.h"

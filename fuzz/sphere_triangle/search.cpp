@@ -15,9 +15,9 @@
 #include "fuzz/sphere_triangle/search_ranges.h"
 #include "kernel/ask.h"
 #include "kernel/formulae_list.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/sphere_triangle/names.h"
 #include "kernel/sphere_triangle/proved_bounds.h"
-#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

@@ -8,8 +8,8 @@
 #include "fuzz/queries/floats.h"
 #include "fuzz/queries/image_groups.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
-#include "kernel/base/error_free.h"
 #include "kernel/ask.h"
+#include "kernel/base/error_free.h"
 
 namespace axiscert {
 namespace {

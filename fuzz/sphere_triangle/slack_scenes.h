@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "fuzz/queries/random.h"
 #include "fuzz/confirm/slack_scenes.h"
+#include "fuzz/queries/random.h"
 
 namespace axiscert {
 

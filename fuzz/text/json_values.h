@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "exact/numbers/rational.h"
-#include "fuzz/text/values.h"
 #include "fuzz/text/json.h"
 #include "fuzz/text/number_text.h"
+#include "fuzz/text/values.h"
 #include "kernel/base/enums.h"
 #include "kernel/base/error.h"
 

@@ -9,8 +9,8 @@
 
 #include "kernel/ask.h"
 #include "kernel/boxes/names.h"
-#include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/random_testing.h"
+#include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert::boxes {
 namespace {

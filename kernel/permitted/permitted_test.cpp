@@ -16,9 +16,9 @@
 #include "kernel/permitted/kernels.h"
 #include "kernel/permitted/lanes.h"
 #include "kernel/permitted/reach.h"
-#include "kernel/sphere_triangle/forms/methods.h"
 #include "kernel/queries_testing.h"
 #include "kernel/random_testing.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert::permitted {
 namespace {

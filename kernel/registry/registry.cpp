@@ -18,8 +18,8 @@
 #include "kernel/plugin/load.h"
 #include "kernel/predicate_list.h"
 #include "kernel/registry/called.h"
-#include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/forms/scalar_kernel.h"
+#include "kernel/sphere_triangle/forms/simd.h"
 
 namespace axiscert {
 

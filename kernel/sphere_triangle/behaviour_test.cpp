@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/queries_testing.h"
+#include "kernel/sphere_triangle/query.h"
 #include "kernel/table_testing.h"
 
 namespace axiscert {

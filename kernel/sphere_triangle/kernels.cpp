@@ -1,13 +1,13 @@
 // The kernels of sphere-triangle, one line each.
 #include "kernel/kernel.h"
 #include "kernel/permitted/graph.h"
-#include "kernel/sphere_triangle/forms/filter_kernels.h"
 #include "kernel/sphere_triangle/certified_kernels.h"
+#include "kernel/sphere_triangle/forms/filter_kernels.h"
+#include "kernel/sphere_triangle/forms/formulae_types.h"
 #include "kernel/sphere_triangle/forms/pair_forms.h"
+#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 #include "kernel/sphere_triangle/forms/simd.h"
 #include "kernel/sphere_triangle/query.h"
-#include "kernel/sphere_triangle/forms/formulae_types.h"
-#include "kernel/sphere_triangle/forms/scalar_kernel.h"
 
 namespace axiscert {
 namespace {

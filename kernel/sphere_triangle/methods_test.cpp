@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "kernel/sphere_triangle/forms/methods.h"
-#include "kernel/sphere_triangle/forms/evaluate.h"
 #include "kernel/queries_testing.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/methods.h"
 
 namespace axiscert {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <random>
 
-#include "kernel/sphere_triangle/forms/ladder.h"
-#include "kernel/sphere_triangle/forms/reduced.h"
-#include "kernel/sphere_triangle/forms/evaluate.h"
-#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/queries_testing.h"
 #include "kernel/random_testing.h"
+#include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/forms/ladder.h"
+#include "kernel/sphere_triangle/forms/reduced.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

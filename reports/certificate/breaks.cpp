@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/corpus.h"
 #include "fuzz/queries/capabilities.h"
 #include "fuzz/queries/family.h"
+#include "fuzz/text/json_form.h"
 #include "reports/certificate/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/causes.h"

@@ -151,7 +151,7 @@ struct CertificatePredicate {
   Several<SaidText, 0, 100> limits;
   MaterialsStatement materials;
 
-  static constexpr std::string_view format = "axiscert-certificate/6";
+  static constexpr std::string_view format = "axiscert-certificate/7";
   AXISCERT_FIELDS(CertificatePredicate, AXISCERT_FIELD(schema),
                   AXISCERT_FIELD(digest, "The SHA-256 of the canonical JSON of all else."), AXISCERT_FIELD(signed_at),
                   AXISCERT_FIELD(signed_by, "The SHA-256 of the signer's public key in DER; null: not signed."),
@@ -168,7 +168,7 @@ struct InToto {
   static constexpr std::string_view format = "https://in-toto.io/Statement/v1";
 };
 struct CertificateType {
-  static constexpr std::string_view format = "urn:axiscert:certificate:6";
+  static constexpr std::string_view format = "urn:axiscert:certificate:7";
 };
 
 struct CertificateStatement {

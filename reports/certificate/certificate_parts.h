@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/record/plan_record.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/kernel.h"
 #include "kernel/names.h"
 #include "reports/gates/requirement.h"

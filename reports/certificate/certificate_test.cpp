@@ -5,8 +5,8 @@
 #include <set>
 
 #include "kernel/base/folders.h"
-#include "reports/certificate/page.h"
 #include "reports/certificate/canonical.h"
+#include "reports/certificate/page.h"
 #include "reports/testing/test_run.h"
 
 namespace axiscert {
@@ -94,7 +94,7 @@ TEST(Certificate, WhatConformsToNoSchemaIsRefusedThoughItsDigestIsRight) {
     Json statement = stored_statement();
     statement["predicate"].erase(member);
     EXPECT_THAT(refusal_of(canonical_json(with_digest(statement))),
-                HasSubstr("does not conform to axiscert-certificate/6"))
+                HasSubstr("does not conform to axiscert-certificate/7"))
         << member;
   }
   CertificateStatement written = certificate_of(stored_statement());

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <vector>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/search/method.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/error.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"

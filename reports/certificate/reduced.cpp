@@ -9,11 +9,11 @@
 #include <set>
 #include <tuple>
 
-#include "fuzz/text/merge.h"
 #include "fuzz/queries/image_groups.h"
+#include "fuzz/text/merge.h"
 #include "fuzz/text/number_text.h"
-#include "reports/certificate/materials.h"
 #include "reports/certificate/canonical.h"
+#include "reports/certificate/materials.h"
 #include "reports/certificate/statement.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sha256.h"

@@ -1,7 +1,7 @@
 // Formats of lines for other programs: record.csv, witnesses.jsonl, ratchet.txt.
-#include "fuzz/text/json_form.h"
 #include "fuzz/files/nested_members.h"
 #include "fuzz/record/record.h"
+#include "fuzz/text/json_form.h"
 #include "reports/formats/format.h"
 #include "reports/gates/ratchet.h"
 #include "reports/instrument/data.h"

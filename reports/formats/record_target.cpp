@@ -2,9 +2,9 @@
 // then every format renders them or says in an Error why not.
 #include <fmt/format.h>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/targets/json_mutator.h"
 #include "fuzz/targets/target.h"
+#include "fuzz/text/json_form.h"
 #include "reports/formats/format.h"
 #include "reports/run_folder/run_folder.h"
 

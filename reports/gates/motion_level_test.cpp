@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <deque>
 
-#include "fuzz/moving_sphere/time_mutants.h"
 #include "fuzz/instruments/black_box.h"
+#include "fuzz/moving_sphere/time_mutants.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/text/json.h"
 #include "kernel/moving_sphere/moving_sphere.h"

@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 

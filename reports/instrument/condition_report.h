@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "fuzz/text/field.h"
 #include "fuzz/sphere_triangle/formulae/condition.h"
+#include "fuzz/text/field.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 #include "reports/instrument/sweep_axis.h"

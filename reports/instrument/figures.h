@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "fuzz/text/values.h"
 #include "fuzz/instruments/extreme.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/record/looked_at.h"
+#include "fuzz/text/values.h"
 #include "reports/wording/summary.h"
 
 namespace axiscert {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
+#include "fuzz/text/json_form.h"
 
 namespace axiscert {
 

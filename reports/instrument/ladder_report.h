@@ -1,8 +1,8 @@
 // The report of `axiscert ladder`.
 #pragma once
 
-#include "fuzz/text/field.h"
 #include "fuzz/sphere_triangle/formulae/ladder.h"
+#include "fuzz/text/field.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
 #include "reports/instrument/instrument.h"

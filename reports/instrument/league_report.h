@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/text/field.h"
 #include "fuzz/queries/family.h"
 #include "fuzz/record/cause_record.h"
+#include "fuzz/text/field.h"
 #include "kernel/outcome.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/figures.h"
@@ -124,7 +124,7 @@ struct WorstContactData {
 };
 
 struct LeagueData : CommandData<LeagueData> {
-  static constexpr std::string_view format = "axiscert-league/3", title = "Kernels and libraries on the same queries";
+  static constexpr std::string_view format = "axiscert-league/4", title = "Kernels and libraries on the same queries";
   WholeNumber seed;
   std::vector<LeagueKernelData> kernels;
   std::vector<WorstContactData> worst_contacts;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "reports/wording/markdown_text.h"
 
 namespace axiscert {

@@ -114,7 +114,7 @@ struct ControlData {
 };
 
 struct MutationData : CommandData<MutationData> {
-  static constexpr std::string_view format = "axiscert-mutation/3",
+  static constexpr std::string_view format = "axiscert-mutation/4",
                                     title = "What the harness catches of the faults planted in a kernel";
   MutationRunData run;
   std::map<Precision, CatchScoreData> score;
@@ -202,7 +202,7 @@ struct GateControlData {
 };
 
 struct MutationByVerdictData : CommandData<MutationByVerdictData> {
-  static constexpr std::string_view format = "axiscert-mutation-by-verdict/2",
+  static constexpr std::string_view format = "axiscert-mutation-by-verdict/3",
                                     title =
                                         "What a gate refuses of the faults planted in a kernel that shows its verdict "
                                         "alone";

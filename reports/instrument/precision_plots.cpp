@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fuzz/sphere_triangle/formulae/choices.h"
 #include "fuzz/record/proportions.h"
+#include "fuzz/sphere_triangle/formulae/choices.h"
 #include "reports/instrument/precision_report.h"
 
 namespace axiscert {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "exact/sphere_triangle/degree.h"
-#include "fuzz/text/json_form.h"
 #include "fuzz/record/proportions.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/formulae_list.h"
 #include "reports/wording/summary.h"
 

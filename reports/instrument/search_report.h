@@ -2,9 +2,9 @@
 #pragma once
 
 #include "exact/judge/judge.h"
-#include "fuzz/text/field.h"
 #include "fuzz/record/looked_at.h"
 #include "fuzz/search/search.h"
+#include "fuzz/text/field.h"
 #include "reports/instrument/data.h"
 #include "reports/instrument/instrument.h"
 

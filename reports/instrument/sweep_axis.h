@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "fuzz/text/field.h"
-#include "fuzz/text/values.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/queries/sweep.h"
+#include "fuzz/text/field.h"
+#include "fuzz/text/values.h"
 #include "kernel/kernel.h"
 #include "reports/instrument/instrument.h"
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/json_form.h"
 #include "kernel/base/sha256.h"
 #include "reports/run_folder/run_folder.h"
 

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <vector>
 
-#include "fuzz/text/json_form.h"
 #include "fuzz/text/file_bytes.h"
+#include "fuzz/text/json_form.h"
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "kernel/names.h"

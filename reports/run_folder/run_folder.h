@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz/text/values.h"
 #include "fuzz/record/record.h"
 #include "fuzz/record/run_info.h"
 #include "fuzz/text/json_fwd.h"
 #include "fuzz/text/number_text.h"
+#include "fuzz/text/values.h"
 #include "kernel/predicate.h"
 
 namespace axiscert {

@@ -80,7 +80,7 @@ TEST(RunFolder, AnotherSchemaIsRefusedByName) {
   for (const char* other : {"axiscert-record/6", "axiscert-record/8"}) {
     const std::string error = error_after_edit([&](Json& record) { record["schema"] = other; });
     EXPECT_THAT(error, HasSubstr(fmt::format("record.json: its schema is \"{}\"", other)));
-    EXPECT_THAT(error, HasSubstr("but this axiscert reads \"axiscert-record/7\"; make the folder again"));
+    EXPECT_THAT(error, HasSubstr("but this axiscert reads \"axiscert-record/8\"; make the folder again"));
   }
   EXPECT_THAT(error_after("[1]"), HasSubstr("has no \"schema\""));
 }

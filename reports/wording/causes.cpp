@@ -9,8 +9,8 @@
 #include <map>
 #include <vector>
 
-#include "fuzz/record/wrong_verdicts.h"
 #include "fuzz/confirm/slack.h"
+#include "fuzz/record/wrong_verdicts.h"
 #include "fuzz/text/json.h"
 #include "kernel/predicate.h"
 #include "reports/wording/summary.h"

@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "fuzz/text/merge.h"
 #include "fuzz/text/json.h"
+#include "fuzz/text/merge.h"
 #include "reports/run_folder/run_folder.h"
 
 namespace axiscert {

@@ -44,7 +44,7 @@ class Explain(Case):
     def test_the_schema_of_a_record_says_the_same(self):
         schema = schema_of("record")
         jsonschema.validators.validator_for(schema).check_schema(schema)
-        self.assertEqual(schema["properties"]["schema"], {"const": "axiscert-record/7", "description": schema["properties"]["schema"]["description"]})
+        self.assertEqual(schema["properties"]["schema"], {"const": "axiscert-record/8", "description": schema["properties"]["schema"]["description"]})
         self.refused("explain", "--schema", "recrd", says=["--schema", "record"])
 
     def test_an_unknown_word_is_told_its_neighbours(self):

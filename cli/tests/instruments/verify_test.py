@@ -54,7 +54,7 @@ class Verify(CertifyCase):
     def test_a_version_that_is_not_read(self):
         statement = json.loads(self.certificate_of("published").read_text())
         statement["predicateType"] = "urn:axiscert:certificate:2"
-        self.verify(self.written(canonical(statement)), code=2, says=["is a certificate of version urn:axiscert:certificate:2", "reads version urn:axiscert:certificate:6", "certify the kernel anew"])
+        self.verify(self.written(canonical(statement)), code=2, says=["is a certificate of version urn:axiscert:certificate:2", "reads version urn:axiscert:certificate:7", "certify the kernel anew"])
 
     def test_a_certificate_of_other_sources_is_not_rechecked_as_if_it_were_of_these(self):
         def of_another(predicate):
@@ -135,7 +135,7 @@ class Verify(CertifyCase):
             "a family left out of the plan": lambda: [self.remade(without_family)],
             "a tally that comes out otherwise": lambda: [self.remade(self.other_tallies), "--recheck", "1%"],
             "cut off": lambda: [self.written(whole[:-200])],
-            "another version of the format": lambda: [self.written(whole.replace(b"certificate:6", b"certificate:2"))],
+            "another version of the format": lambda: [self.written(whole.replace(b"certificate:7", b"certificate:2"))],
             "made by another axiscert": lambda: [self.remade(self.of_another_axiscert)],
             "made by another axiscert, `--recheck`": lambda: [self.remade(self.of_another_axiscert), "--recheck", "1%"],
             "a kernel that is to be rechecked and was not given": lambda: [self.certificate_of(f"plugin:{BUILD}/promises/always_contact.so", name="plugin"), "--recheck", "1%"],

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/judge/oracles.h"
 #include "exact/sphere_triangle/measures/depth.h"
 #include "exact/sphere_triangle/measures/nearest_root.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
-#include "exact/judge/oracles.h"
 
 namespace axiscert {
 namespace {

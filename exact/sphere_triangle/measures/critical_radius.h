@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "exact/numbers/rational.h"
 #include "exact/judge/critical_radius.h"
+#include "exact/numbers/rational.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -6,10 +6,10 @@
 #include <random>
 #include <utility>
 
-#include "exact/sphere_triangle/measures/critical_radius.h"
-#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/judge/critical_radius.h"
 #include "exact/judge/oracles.h"
+#include "exact/sphere_triangle/measures/critical_radius.h"
+#include "exact/sphere_triangle/oracles/geometric_oracle.h"
 
 namespace axiscert {
 // Queries exactly on a limit, and one float to each side of it.

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "exact/numbers/mpfr_number.h"
-#include "exact/sphere_triangle/oracles/distance_bounds.h"
-#include "exact/sphere_triangle/oracles/grid.h"
 #include "exact/sphere_triangle/measures/input_class.h"
+#include "exact/sphere_triangle/oracles/distance_bounds.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
+#include "exact/sphere_triangle/oracles/grid.h"
 
 namespace axiscert {
 

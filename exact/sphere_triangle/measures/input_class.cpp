@@ -7,8 +7,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "exact/sphere_triangle/oracles/enclosed_triangle.h"
 #include "exact/sphere_triangle/measures/depth.h"
+#include "exact/sphere_triangle/oracles/enclosed_triangle.h"
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 
 namespace axiscert {

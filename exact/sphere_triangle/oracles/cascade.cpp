@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/sphere_triangle/oracles/grid_signs.h"
 #include "exact/sphere_triangle/oracles/wide_margins.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/sphere_triangle/query.h"
 

@@ -9,9 +9,9 @@
 //           Never silent
 #pragma once
 
-#include "exact/sphere_triangle/oracles/lane_filter.h"
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/judge/batch_oracle.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
+#include "exact/sphere_triangle/oracles/lane_filter.h"
 
 namespace axiscert {
 struct DecidedSigns {

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "exact/judge/side_error.h"
+#include "exact/sphere_triangle/oracles/exact_truth.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

@@ -1,8 +1,8 @@
 #include "exact/sphere_triangle/oracles/exact_truth.h"
 
 #include "exact/numbers/surd.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/formulae_types.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 namespace {

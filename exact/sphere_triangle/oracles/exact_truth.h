@@ -3,12 +3,12 @@
 
 #include <optional>
 
+#include "exact/judge/exact_sides.h"
 #include "exact/judge/judge.h"
 #include "exact/numbers/surd.h"
-#include "exact/judge/exact_sides.h"
 #include "kernel/formulae_list.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 // The area of a query's triangle, exactly.

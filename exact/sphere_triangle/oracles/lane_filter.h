@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/sphere_triangle/oracles/signs.h"
 #include "exact/judge/batch_oracle.h"
+#include "exact/sphere_triangle/oracles/signs.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

@@ -7,12 +7,12 @@
 #include <limits>
 #include <random>
 
+#include "exact/judge/side_error.h"
 #include "exact/numbers/rational.h"
 #include "exact/sphere_triangle/oracles/vertex_sides.h"
-#include "exact/judge/side_error.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/forms/scalar.h"
 #include "kernel/random_testing.h"
+#include "kernel/sphere_triangle/forms/scalar.h"
 
 namespace axiscert {
 namespace {

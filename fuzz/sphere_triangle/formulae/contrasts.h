@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/queries/source.h"
+#include "fuzz/record/paired.h"
+#include "fuzz/sphere_triangle/formulae/choices.h"
 #include "fuzz/text/field.h"
 #include "fuzz/text/merge.h"
-#include "fuzz/queries/source.h"
-#include "fuzz/sphere_triangle/formulae/choices.h"
-#include "fuzz/record/paired.h"
 
 namespace axiscert {
 

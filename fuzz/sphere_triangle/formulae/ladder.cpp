@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/judge/side_error.h"
 #include "exact/sphere_triangle/measures/critical_radius.h"
 #include "exact/sphere_triangle/oracles/geometric_oracle.h"
 #include "exact/sphere_triangle/unbounded.h"
-#include "exact/judge/side_error.h"
 #include "fuzz/campaign/campaign.h"
-#include "fuzz/text/merge.h"
 #include "fuzz/instruments/for_each_judged.h"
 #include "fuzz/sphere_triangle/formulae/valid_queries.h"
+#include "fuzz/text/merge.h"
 #include "kernel/formulae_list.h"
 
 namespace axiscert {

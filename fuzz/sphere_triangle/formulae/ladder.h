@@ -8,11 +8,11 @@
 
 #include "exact/judge/side_error.h"
 #include "fuzz/campaign/progress.h"
-#include "fuzz/text/field.h"
 #include "fuzz/queries/source.h"
 #include "fuzz/sphere_triangle/formulae/axis_windows.h"
 #include "fuzz/sphere_triangle/formulae/contrasts.h"
 #include "fuzz/sphere_triangle/formulae/kernel_speed.h"
+#include "fuzz/text/field.h"
 #include "kernel/kernel.h"
 
 namespace axiscert {

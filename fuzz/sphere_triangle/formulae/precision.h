@@ -9,8 +9,8 @@
 #include "exact/numbers/number_format.h"
 #include "exact/sphere_triangle/unbounded.h"
 #include "fuzz/campaign/progress.h"
-#include "fuzz/text/field.h"
 #include "fuzz/queries/source.h"
+#include "fuzz/text/field.h"
 #include "kernel/kernel.h"
 #include "kernel/sphere_triangle/names.h"
 

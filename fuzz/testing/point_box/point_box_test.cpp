@@ -1,6 +1,6 @@
 // A second predicate from end to end: listed, run, judged, recorded, and piped through a program.
-#include "fuzz/text/json_form.h"
 #include "fuzz/testing/point_box/point_box.h"
+#include "fuzz/text/json_form.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/widths.h"
 
 namespace axiscert::certified {

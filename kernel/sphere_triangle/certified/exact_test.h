@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "kernel/sphere_triangle/certified/exact_step.h"
 #include "kernel/sphere_triangle/certified/exact_margins.h"
+#include "kernel/sphere_triangle/certified/exact_step.h"
 
 namespace axiscert::certified {
 

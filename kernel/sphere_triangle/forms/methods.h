@@ -2,8 +2,8 @@
 // reader's variant with seven axes.
 #pragma once
 
-#include "kernel/sphere_triangle/formulae.h"
 #include "kernel/sphere_triangle/forms/contacts.h"
+#include "kernel/sphere_triangle/formulae.h"
 
 namespace axiscert::methods {
 // The closest point of the triangle, found by a walk through its Voronoi regions, then one comparison of distances.

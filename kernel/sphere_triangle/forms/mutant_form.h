@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/formulae_types.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert::mutants {
 

@@ -3,8 +3,8 @@
 
 #include "kernel/formulae_list.h"
 #include "kernel/kernel.h"
-#include "kernel/sphere_triangle/query.h"
 #include "kernel/sphere_triangle/forms/evaluate.h"
+#include "kernel/sphere_triangle/query.h"
 
 namespace axiscert {
 // The outcome of `formulae` on q in `arithmetic`, evaluated one operation after the other. Also writes the computed
