@@ -11,14 +11,14 @@ from command import BUILD, ROOT, axiscert
 
 
 class CertifiedFiles(CertifyCase):
-    def plugin(self, name="mine", fault="none"):
+    def plugin(self, name="mine", file="promises/always_contact"):  # of one precision
         path = self.folder_of(f"{name}.so")
         if not path.exists():
-            shutil.copy(BUILD / f"faults/{fault}.so", path)
+            shutil.copy(BUILD / f"{file}.so", path)
         return path
 
     def test_a_plug_in_is_known_by_its_bytes_wherever_it_lies(self):
-        mine, other = self.plugin(), self.plugin("other", "wrong_sign")
+        mine, other = self.plugin(), self.plugin("other", "faults/wrong_sign")
         cert = self.certificate_of(f"plugin:{mine}", name="plugin")
         statement = json.loads(cert.read_text())
         self.assertEqual(statement["subject"], [{"name": "mine.so", "annotations": {"what": "plugin"},
