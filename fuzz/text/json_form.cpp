@@ -82,8 +82,8 @@ void clear_unseen(Json& object, const Field& field) {
 
 bool is_unseen(const JsonPlace& place, const Field& field) {
   if (field.looked_at.empty() || !place.has(field.name)) return false;
-  const JsonPlace count =
-      place.at(field.looked_at);  // read here first: what is wrong with it is no fault of the figure
+  // Read here first: what is wrong with it is no fault of the figure.
+  const JsonPlace count = place.at(field.looked_at);
   count.require_type(count.value().is_number_integer() || count.value().is_null(), "integer");
   return count.value() == 0;
 }
