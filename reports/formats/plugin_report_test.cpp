@@ -263,7 +263,10 @@ TEST(PluginReports, ARateIsOfQueriesWithinTheLimits) {
   const KernelRecord kernel = read_as<KernelRecord>(stored_record()["kernels"][0]);
   FamilyRecord family = kernel.families.at("lattice");
   EXPECT_EQ(per_million(1, family), 2000);
-  family.verdict.outside_limits = OutsideTally{.trials = 400, .contact = 240, .touching = 48};
+  OutsideTally& outside = family.verdict.outside_limits.emplace();
+  outside.trials = 400;
+  outside.contact = 240;
+  outside.touching = 48;
   EXPECT_EQ(per_million(1, family), 10000);
   EXPECT_GT(zero_limit_per_million(kernel, family), 29000) << "100 queries, not 500";
   family.verdict.undecided = 100;
