@@ -265,10 +265,11 @@ void measure(const Source& source, const std::string& target, std::span<const Pe
   for (const Peer& peer : peers) {
     if (peer.kernel->precision != 8 * sizeof(Real)) continue;
     all.push_back({peer.name, [&, kernel = peer.kernel] {
-                     const axiscert_answers answers{.size = sizeof(axiscert_answers),
-                                                    .verdict = reinterpret_cast<std::uint8_t*>(verdicts.data()),
-                                                    .measure_count = kernel->measure_count,
-                                                    .measure = to_measures.data()};
+                     axiscert_answers answers{};
+                     answers.size = sizeof answers;
+                     answers.verdict = reinterpret_cast<std::uint8_t*>(verdicts.data());
+                     answers.measure_count = kernel->measure_count;
+                     answers.measure = to_measures.data();
                      kernel->run(&asked, &answers);
                    }});
   }

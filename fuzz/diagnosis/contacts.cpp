@@ -28,7 +28,8 @@ std::optional<ProbeFinding> why_unasked(Subject<Real>& subject, MeasureKind kind
 }
 
 ProbeFinding too_few(std::size_t count, MeasureKind kind) {
-  return undecided(fmt::format("It gives a {} on {} clear queries: too few to say.", name(kind), count));
+  const std::string what = kind == MeasureKind::point_b ? "both points" : fmt::format("a {}", name(kind));
+  return undecided(fmt::format("It gives {} on {} clear queries: too few to say.", what, count));
 }
 
 template <class Real>
@@ -151,8 +152,9 @@ ProbeFinding separations(Subject<Real>& subject) {
   }
   std::vector<double> off;
   for (const JudgedContact<Real>& one : all) off.push_back(given(one) - *one.exact.separation);
+  // Of a fault of few queries the median is a rounding, which is no margin.
   const double margin = median(off);
-  if (margin != 0 &&
+  if (holds_on_most(wrong, all.size()) &&
       holds_on_most(count([&](const JudgedContact<Real>& one) { return is_off_by(one, margin); }), all.size())) {
     Json numbers = measured;
     numbers["margin"] = margin;
@@ -166,9 +168,10 @@ ProbeFinding separations(Subject<Real>& subject) {
     if (*one.exact.separation != 0) factors.push_back(given(one) / *one.exact.separation);
   }
   const double factor = factors.empty() ? 1 : median(factors);
-  if (holds_on_most(
-          count([&](const JudgedContact<Real>& one) { return is_off_by(one, (factor - 1) * *one.exact.separation); }),
-          all.size())) {
+  if (holds_on_most(wrong, all.size()) && holds_on_most(count([&](const JudgedContact<Real>& one) {
+                                                          return is_off_by(one, (factor - 1) * *one.exact.separation);
+                                                        }),
+                                                        all.size())) {
     Json numbers = measured;
     numbers["factor"] = factor;
     return found(Separations::scaled,
@@ -210,6 +213,7 @@ ProbeFinding normals(Subject<Real>& subject) {
                    witness_of(subject, *shown, fmt::format("the normal is {:.3g} radians off", angle(*shown))),
                    measured);
   };
+  constexpr double above_lengths = 1e300;  // directions are shown before lengths
   // A normal of 0 has no direction, and its angle is pi.
   const std::size_t place = *first_measure(subject.predicate(), kind);
   const auto is_zero = [&](const JudgedContact<Real>& one) {
@@ -242,6 +246,7 @@ ProbeFinding normals(Subject<Real>& subject) {
         Normals::not_normalised,
         fmt::format("Its normals have the right direction, and lengths that are off by {:.3g} of 1.", usual_length));
   // Few directions may be far off for rounding, where the exact one is of a short vector; no length, and no side.
+  const auto is_far = [&](const JudgedContact<Real>& one) { return !is_zero(one) && is_far_off(subject, one); };
   const auto is_flip = [&](const JudgedContact<Real>& one) {
     if (!has_clear_side(subject, one)) return false;
     if (one.found.pushed) return one.found.pushed->is_flip;
@@ -255,6 +260,10 @@ ProbeFinding normals(Subject<Real>& subject) {
     return decided(Normals::wrong,
                    fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()),
                    witness_of(subject, *std::ranges::find_if(all, is_flip), other_side), measured);
+  if (const std::size_t far = count(is_far); far != 0)
+    return found(Normals::wrong, fmt::format("{} of {} normals on clear queries are wrong, by up to {:.3g} radians: no "
+                                             "rule.",
+                                             far, all.size(), angle(*shown)));
   const auto is_uneven = [&](const JudgedContact<Real>& one) { return length(one) > small<Real>; };
   const auto longest = std::ranges::max_element(all, {}, length);
   if (is_uneven(*longest))
@@ -263,24 +272,36 @@ ProbeFinding normals(Subject<Real>& subject) {
                                "{:.3g} of 1.",
                                count(is_uneven), all.size(), length(*longest)),
                    shows_length(*longest), measured);
-  std::size_t turned = 0, uneven = 0;
-  double most_uneven = 0;
+  std::size_t turned = 0, far = 0, uneven = 0;
+  double most_uneven = 0, farthest = 0;
   const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
     if (!one.found.normal_length_error) return std::nullopt;
     turned += is_flip(one);
+    if (is_far(one) && !is_flip(one)) {
+      ++far;
+      farthest = std::max(farthest, one.found.normal_angle.value_or(0));
+      return above_lengths + farthest;
+    }
     uneven += is_uneven(one);
     most_uneven = std::max(most_uneven, length(one));
     if (is_flip(one)) return std::numeric_limits<double>::infinity();  // which is shown before any length
     return is_uneven(one) ? length(one) : 0;
   });
   if (others.shown)
-    return decided(
-        turned != 0 ? Normals::wrong : Normals::not_normalised,
-        fmt::format("Its normals are right but for rounding on clear queries of one family. Of {} of all "
-                    "families {} go to the other side, and {} are longer or shorter than 1.",
-                    others.of, turned, uneven),
-        turned != 0 ? witness_of(subject, *others.shown, other_side) : shows_length(*others.shown),
-        {{"wrong", others.wrong}, {"of", others.of}, {"turned", turned}, {"largest_length_error", most_uneven}});
+    return decided(turned + far != 0 ? Normals::wrong : Normals::not_normalised,
+                   fmt::format("Its normals are right but for rounding on clear queries of one family. Of {} of all "
+                               "families {} go to the other side, {} are off otherwise, and {} are longer or shorter "
+                               "than 1.",
+                               others.of, turned, far, uneven),
+                   turned != 0 ? witness_of(subject, *others.shown, other_side)
+                   : far != 0
+                       ? witness_of(subject, *others.shown, fmt::format("the normal is {:.3g} radians off", farthest))
+                       : shows_length(*others.shown),
+                   {{"wrong", others.wrong},
+                    {"of", others.of},
+                    {"turned", turned},
+                    {"off", far},
+                    {"largest_length_error", most_uneven}});
   return right_or_missing<Normals>(
       subject, kind,
       fmt::format("Its normals are right but for rounding on {} of {} clear queries.", all.size() - wrong, all.size()),
@@ -378,7 +399,9 @@ ProbeFinding contact_points(Subject<Real>& subject) {
       return decided(Points::wrong, others.text("Its points are"), shows(*others.shown), others.measured());
     return right_or_missing<Points>(
         subject, kind,
-        fmt::format("Its points are right but for rounding on {} clear queries.", all.size() + others.of),
+        fmt::format("Its points are right but for rounding on {} clear queries, on {} of all families to {:.2g} of the "
+                    "scene.",
+                    all.size() + others.of, others.of, coarse<Real>),
         with_families(measured, others));
   }
   const auto witnesses = shows(*shown);

@@ -134,21 +134,40 @@ OnFamilies<Real> on_families(Subject<Real>& subject, Error&& error) {
   return found;
 }
 
+// How far apart the two are, or minus how deep; of a sphere or a capsule its centre or segment, where the radius is the
+// only length of the entry (a box has three).
+template <class Real>
+double side_of(const Subject<Real>& subject, const JudgedContact<Real>& one) {
+  const std::vector<PredicateColumn>& columns = subject.entry().columns;
+  const auto is_length = [](const PredicateColumn& column) { return column.role == Role::length; };
+  const auto radius = std::ranges::find_if(columns, is_length);
+  const bool is_round = std::ranges::count_if(columns, is_length) == 1;
+  return *one.exact.separation + (is_round ? one.wide[static_cast<std::size_t>(radius - columns.begin())] : 0);
+}
+
 // Whether no rounding takes the normal to the other side. Of a sphere or a capsule the centre or the segment has to be
 // on that side. The judges take no normal for a flip where it is by at most 2 u of the scene, of two bodies 128 u; a
 // method in the coordinates of the world errs by as many u of the greatest of these.
 template <class Real>
 bool has_clear_side(const Subject<Real>& subject, const JudgedContact<Real>& one) {
   if (!one.exact.separation) return false;
-  const std::vector<PredicateColumn>& columns = subject.entry().columns;
-  const auto is_length = [](const PredicateColumn& column) { return column.role == Role::length; };
-  const auto radius = std::ranges::find_if(columns, is_length);  // where there is one length: a box has three
-  const bool is_round = std::ranges::count_if(columns, is_length) == 1;
-  const double side =
-      *one.exact.separation + (is_round ? one.wide[static_cast<std::size_t>(radius - columns.begin())] : 0);
   const double u = std::numeric_limits<Real>::epsilon() / 2;
   const double allowed = has_measure(subject.predicate(), MeasureKind::point_b) ? 128 * u : 2 * u;
-  return std::fabs(side) > allowed * one.extent;
+  return std::fabs(side_of(subject, one)) > allowed * one.extent;
+}
+
+// Whether a normal is farther off than rounding may take it, where it has a clear side. Apart, and of a centre or
+// segment outside, an error h of the nearest point at the distance d turns it by up to sqrt(2 h / d), h as in `coarse`.
+// Bodies that overlap have another axis that is nearly the least: a push along it leaves little.
+template <class Real>
+bool is_far_off(const Subject<Real>& subject, const JudgedContact<Real>& one) {
+  if (!has_clear_side(subject, one)) return false;
+  const double side = side_of(subject, one);
+  if (side < 0) {
+    const double left = one.found.pushed ? one.found.pushed->left.value() : 0;
+    return left > small<Real> * one.extent / -side;
+  }
+  return one.found.normal_angle.value_or(0) > coarse<Real> * std::sqrt(one.extent / side);
 }
 
 // A rule holds on so many of a hundred queries.
@@ -168,7 +187,7 @@ inline bool is_like(const std::vector<double>& like, std::span<const double> giv
   return off <= near * std::max(most, 1e-3);
 }
 
-// The first likeness that holds on nearly all queries with a wrong number, and on some.
+// The first likeness that holds on nearly all queries, and on some whose number is wrong.
 template <class Real, class IsWrong>
 const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vector<JudgedContact<Real>>& all,
                                    MeasureKind kind, IsWrong&& is_wrong) {
@@ -177,13 +196,12 @@ const ContactLikeness* likeness_of(const Subject<Real>& subject, const std::vect
     if (like->kind != kind) continue;
     std::size_t wrong = 0, alike = 0;
     for (const JudgedContact<Real>& one : all) {
-      if (!is_wrong(one)) continue;
-      ++wrong;
+      wrong += is_wrong(one);
       const std::vector<double> numbers = like->numbers(one.wide, subject.kernel().entry);
       if (one.measures.size() >= first + numbers.size())
         alike += is_like(numbers, std::span(one.measures).subspan(first, numbers.size()), 16 * small<Real>);
     }
-    if (wrong != 0 && holds_on_most(alike, wrong)) return like;
+    if (wrong != 0 && holds_on_most(alike, all.size())) return like;
   }
   return nullptr;
 }
