@@ -129,8 +129,12 @@ TEST(ContactProbes, NameAFaultOfLevelTrianglesAlone) {
   EXPECT_EQ(on_level("other-part", [](MeasureColumns& m, std::size_t i) { m[1][i] = m[1][i] == 0 ? 1.0f : 0.0f; }),
             (Said{{"feature", "wrong"}}));
   EXPECT_EQ(on_level("turned", [](MeasureColumns& m, std::size_t i) { m[4][i] *= -1; }), (Said{{"normal", "wrong"}}));
-  EXPECT_EQ(on_level("long", [](MeasureColumns& m, std::size_t i) { m[4][i] *= 2; }),
+  EXPECT_EQ(on_level("long",
+                     [](MeasureColumns& m, std::size_t i) {
+                       for (std::size_t k = 2; k < 5; ++k) m[k][i] *= 2;
+                     }),
             (Said{{"normal", "not_normalised"}}));
+  EXPECT_EQ(on_level("tilted", [](MeasureColumns& m, std::size_t i) { m[2][i] += 0.5f; }), (Said{{"normal", "wrong"}}));
   EXPECT_EQ(on_level("moved", [](MeasureColumns& m, std::size_t i) { m[7][i] *= 1.5f, m[7][i] += 0.5f; }),
             (Said{{"contact_point", "wrong"}}));
 }

@@ -77,7 +77,7 @@ TEST(RunFolder, ErrorHasNoControlCharacters) {
 }
 
 TEST(RunFolder, AnotherSchemaIsRefusedByName) {
-  for (const char* other : {"axiscert-record/6", "axiscert-record/8"}) {
+  for (const char* other : {"axiscert-record/7", "axiscert-record/9"}) {
     const std::string error = error_after_edit([&](Json& record) { record["schema"] = other; });
     EXPECT_THAT(error, HasSubstr(fmt::format("record.json: its schema is \"{}\"", other)));
     EXPECT_THAT(error, HasSubstr("but this axiscert reads \"axiscert-record/8\"; make the folder again"));

@@ -139,6 +139,9 @@ inline Json with_least_radius(double radius, std::uint64_t outside) {
     leave_out("decided_touching", touching - touching_within);
     leave_out("decided_separations", outside - contacts);
     leave_out("decided", outside);
+    for (const char* signs : {"axes", "comparisons"}) {
+      for (Json& sign : family[signs]) sign["judged"] = std::min(sign["judged"], verdict["decided"]);
+    }
   }
   return record;
 }
