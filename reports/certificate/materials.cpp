@@ -199,7 +199,9 @@ void require_counts(const StretchCounts& counts, TouchingPolicy touching, std::u
     throw NotValid(
         fmt::format("{}: {} queries, and its plan has {} there", where, thousands(counts.trials), thousands(queries)));
   }
-  if (const auto fault = fault_of_verdicts(touching, counts)) throw NotValid(fmt::format("{}: {}", where, *fault));
+  auto fault = fault_of_verdicts(touching, counts);
+  if (!fault) fault = fault_of_contacts(touching, counts);
+  if (fault) throw NotValid(fmt::format("{}: {}", where, *fault));
   const VerdictTally& verdict = counts.verdict;
   if ((verdict.false_separation == 0 && verdict.deepest_false_separation.best() != 0) ||
       (verdict.false_contact == 0 && verdict.deepest_false_contact.best() != 0))

@@ -15,6 +15,7 @@
 #include "reports/certificate/canonical.h"
 #include "reports/certificate/materials.h"
 #include "reports/certificate/statement.h"
+#include "reports/run_folder/record_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -252,17 +253,8 @@ class Reducer {
     result.asymmetry.emplace();
     if (!beside.image_numbers) return;
     const auto& numbers = result.asymmetry->numbers = image_numbers_again(beside.image_numbers->json, where);
-    const bool is_too_many =
-        numbers->images > result.trials || numbers->compared > numbers->images ||
-        std::max({numbers->separations, numbers->angles, numbers->points, numbers->compared_features, numbers->lost,
-                  numbers->features.value_or(0)}) > numbers->compared;
-    if (is_too_many) throw NotValid(where + ": more images with numbers than queries");
-    const bool are_told = numbers->largest_separation.has_value() == (numbers->separations != 0) &&
-                          numbers->largest_angle.has_value() == (numbers->angles != 0) &&
-                          numbers->largest_point.has_value() == (numbers->points != 0) &&
-                          numbers->features.has_value() == (numbers->compared_features != 0);
-    if (!are_told || numbers->features.value_or(0) > numbers->compared_features)
-      throw NotValid(where + ": images that were compared without what came of it, or the reverse");
+    if (const auto fault = fault_of_image_numbers(*numbers, result.trials))
+      throw NotValid(fmt::format("{}: {}", where, *fault));
   }
 
   // All but the medians follows from the stretches, `counted`.

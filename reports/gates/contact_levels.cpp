@@ -38,8 +38,9 @@ double left_argument(const AskedLevel& asked) {
 }
 
 // How many answers of a family have the number that a level is about, and how many have none though there is one.
+// `nowhere`: those of `none` that have a normal of length 0.
 struct Given {
-  std::uint64_t judged, none = 0;
+  std::uint64_t judged, none = 0, nowhere = 0;
 };
 using Counts = std::function<std::optional<Given>(const ContactTally& contacts)>;  // empty: the kernel gives none
 
@@ -81,7 +82,7 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     found.not_checked = fmt::format("the predicate {} has no {} of contact", predicate.id, what);
     return found;
   }
-  std::uint64_t judged = 0, none = 0, unjudged = 0;
+  std::uint64_t judged = 0, none = 0, nowhere = 0, unjudged = 0;
   for (const auto& [family, result] : subject.families()) {
     const std::optional<Given> given = result.contacts ? counts(*result.contacts) : std::nullopt;
     if (!given) {
@@ -94,13 +95,16 @@ LevelFindings look_at(const Subject& subject, const Counts& counts, MeasureKind 
     const std::uint64_t decided = subject.evidence(result).decided(), answers_here = result.contacts->answers;
     if (!moves) unjudged += decided - std::min(decided, answers_here);
     judged += given->judged;
-    none += answers_here - std::min(answers_here, given->judged);
+    nowhere += given->nowhere;
+    none += answers_here - std::min(answers_here, given->judged + given->nowhere);
   }
   if (judged == 0) found.not_checked = fmt::format("no {} has {}", moves ? "contact that it found" : "answer", without);
   else found.not_checked = seldom_text(subject, counts, what);
   found.covers = fmt::format("the {} of {} {} of {}, each compared with the exact one", what, thousands(judged),
                              answers, subject.list_of_families());
   if (none != 0) leave_out(found.leaves_out, fmt::format("{} {} without {}", thousands(none), answers, without));
+  if (nowhere != 0)
+    leave_out(found.leaves_out, fmt::format("{} normals of length 0, which have no side", thousands(nowhere)));
   if (unjudged != 0)
     leave_out(found.leaves_out, fmt::format("{} queries whose numbers were not judged: of a family the first 4,096 are",
                                             thousands(unjudged)));
@@ -260,7 +264,7 @@ LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
   const auto with_a_side = [](const ContactTally& contacts) -> std::optional<Given> {
     const std::optional<PushTally>& pushed = contacts.pushed;
     if (!pushed) return std::nullopt;
-    return Given{pushed->with_a_side(), pushed->none + pushed->nowhere};
+    return Given{pushed->with_a_side(), pushed->none + pushed->nowhere, pushed->nowhere};
   };
   LevelFindings found = look_at_pushed(subject, with_a_side);
   for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numbers>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -284,6 +285,191 @@ std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uin
   }
   if (engine.decided() > engine.queries || engine.queries > valid)
     return "more engine-like queries than valid ones, or more decided ones";
+  return std::nullopt;
+}
+
+namespace {
+
+// What was judged of a number of answers, and what lacks it; of a normal its length is judged wherever it is given.
+std::uint64_t judged_of(const auto& part) {
+  if constexpr (requires { part.lengths; }) return part.lengths;
+  else if constexpr (requires { part.judged(); }) return part.judged();
+  else return part.judged;
+}
+std::uint64_t missing_of(const auto& part) { return part.none; }
+std::uint64_t missing_of(const TimeTally& time) { return time.none + std::min(time.invalid, ~time.none); }
+
+bool add_up(const auto& counts, std::uint64_t whole) {
+  return std::ranges::all_of(counts, [&](std::uint64_t count) { return count <= whole && (whole -= count, true); }) &&
+         whole == 0;
+}
+
+Fault fault_of_number(const ContactTally& all, std::string_view name, const auto& part) {
+  const std::uint64_t judged = judged_of(part), missing = missing_of(part);
+  const GivenTally& given = part.given;
+  if (given.separations > all.separations || given.contacts > all.answers - all.separations)
+    return fmt::format("contacts/{}/given: more contacts or separations than answers that say so", name);
+  if ((given.contacts != 0) != (given.which_contacts.mark != 0) ||
+      (given.separations != 0) != (given.which_separations.mark != 0))
+    return fmt::format("contacts/{}/given: a mark of which answers without a count, or the reverse", name);
+  if (judged > given.contacts + given.separations)
+    return fmt::format("contacts/{}: more judged than given", name);
+  if (!fit(all.answers, {judged, missing})) return fmt::format("contacts/{}: more judged or none than answers", name);
+  return std::nullopt;
+}
+
+Fault fault_of_pushed(const PushTally& pushed, const NormalTally& normal) {
+  if (pushed.judged > normal.lengths || pushed.none > normal.none)
+    return "contacts/pushed: more judged or none than normals that are given, or missing";
+  if (pushed.nowhere > pushed.judged || pushed.flips > pushed.with_a_side())
+    return "contacts/pushed: more nowhere than judged, or more flips than normals with a side";
+  const double left = pushed.largest_left.best().value();
+  if (left > 2 || (pushed.nowhere != 0 && left < 1) || (pushed.flips != 0 && left <= 1.0 / 16))
+    return "contacts/pushed/largest_left: is above 2, or less than what flips and nowhere leave";
+  return std::nullopt;
+}
+
+Fault fault_of_consistency(const ConsistencyTally& found, const ContactTally& all) {
+  const GivenTally& given = all.separation->given;
+  if (found.contacts != given.contacts || found.separations != given.separations)
+    return "contacts/consistency: other contacts or separations than separation/given";
+  if (found.judged > all.answers || !fit(found.judged, {found.contacts, found.separations}) ||
+      !fit(found.judged, {found.positive, found.negative, found.missing}) || found.positive > found.contacts ||
+      found.negative > found.separations)
+    return "contacts/consistency: more answers that contradict themselves than answers with a number";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> fault_of_contacts(TouchingPolicy policy, const FamilyCounts& counts) {
+  if (!counts.contacts) return std::nullopt;
+  const ContactTally& all = *counts.contacts;
+  const VerdictTally& verdict = counts.verdict;
+  if (all.separations > all.answers) return "contacts: more separations than answers";
+  const std::uint64_t right_contacts = verdict.decided_contacts - verdict.false_separation,
+                      right_separations = verdict.decided_separations - verdict.false_contact,
+                      outside_touching = verdict.outside_limits.value_or(OutsideTally()).touching;
+  // Where a kernel promises nothing of what touches, its answers there are in no count of verdicts.
+  const std::uint64_t either = policy == TouchingPolicy::either
+                                   ? counts.truth.touching - outside_touching - verdict.undecided_touching
+                                   : 0;
+  if (!all.decided) {
+    if (all.answers - all.separations > right_contacts + verdict.false_contact + either ||
+        all.separations > right_separations + verdict.false_separation + either)
+      return "contacts: more answers or separations than verdicts that say so";
+  } else if (all.separations != 0 || all.answers > right_contacts || all.answers > *all.decided ||
+             *all.decided - all.answers > verdict.false_separation) {
+    return "contacts: answers and decided do not fit the contacts that are right, and those that are missed";
+  }
+  if (all.missed && all.missed->through > all.decided.value_or(all.answers) - all.answers)
+    return "contacts/missed: more through than missed";
+
+  Fault fault;
+  for_each_number(all, [&](MeasureKind kind, const auto& part) {
+    if (part && !fault) fault = fault_of_number(all, name(kind), *part);
+  });
+  if (fault) return fault;
+  if (all.time && (!fit(all.answers, {all.time->none, all.time->invalid, all.time->judged()}) ||
+                   all.time->none + all.time->invalid + all.time->judged() != all.answers))
+    return "contacts/time: none, invalid, early, best and late do not add up to the answers";
+  if (all.time && all.time->late_tunnels.through > all.time->late) return "contacts/time: more through than late";
+  if (all.consistency && all.separation) {
+    if ((fault = fault_of_consistency(*all.consistency, all))) return fault;
+  }
+  if (const auto& feature = all.feature) {
+    if (feature->wrong > feature->judged || feature->unnamed > feature->wrong)
+      return "contacts/feature: more wrong than judged, or more unnamed than wrong";
+    if (feature->wrong == feature->unnamed && feature->largest_error.best() != 0)
+      return "contacts/feature: a largest_error, and none is wrong that names a part";
+  }
+  if (const auto& normal = all.normal) {
+    if (normal->judged > normal->lengths) return "contacts/normal: more judged than lengths";
+    if (normal->largest_angle.best() > std::numbers::pi) return "contacts/normal: a largest_angle above pi";
+    if (all.pushed && (fault = fault_of_pushed(*all.pushed, *normal))) return fault;
+  }
+  if (all.points && all.point_a && all.point_b) {
+    if (all.point_a->judged != all.point_b->judged || all.points->judged > all.point_a->judged)
+      return "contacts/points: more judged than points of each body, or these differ";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_sizes(const ContactTally& contacts) {
+  const auto last_of = [](const auto& sizes) {
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < sizes.size(); ++k) last = sizes[k] != 0 ? k : last;
+    return last;
+  };
+  if (const auto& separation = contacts.separation) {
+    const double error = separation->largest_error.best();
+    const bool is_exact = separation->largest_ulps.best().is_zero();
+    if (!add_up(separation->by_decade, separation->judged) ||
+        last_of(separation->by_decade) != (is_exact ? 0 : std::max(decade_of(error), std::size_t{1})))
+      return "contacts/separation: by_decade does not fit judged and largest_error";
+  }
+  if (!contacts.time) return std::nullopt;
+  for (const auto& [kind, errors, count] : {std::tuple("late", &contacts.time->late_errors, contacts.time->late),
+                                            {"early", &contacts.time->early_errors, contacts.time->early}}) {
+    if (!add_up(errors->by_power, count) || last_of(errors->by_power) != ulp_power(errors->largest_ulps.best()))
+      return fmt::format("contacts/time/{}_errors: by_power does not fit {} and largest_ulps", kind, kind);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_parts(const ContactTally& contacts, const Predicate& predicate,
+                                          std::size_t measure_count) {
+  Fault fault;
+  const ContactTally given = given_contacts({}, predicate, measure_count);
+  for_each_field<ContactTally>([&](const auto& of) {
+    if constexpr (requires { (given.*of.member).has_value(); }) {
+      const bool is_given = (given.*of.member).has_value();
+      if (!fault && (contacts.*of.member).has_value() != is_given)
+        fault = fmt::format("contacts/{}: is {}, though the kernel gives {} of that kind", of.name,
+                            is_given ? "null" : "not null", is_given ? "a number" : "none");
+    }
+  });
+  return fault;
+}
+
+std::optional<std::string> fault_of_image_numbers(const ImageNumbersRecord& numbers, std::uint64_t images) {
+  using std::tuple;
+  if (numbers.images > images || numbers.compared > numbers.images || numbers.lost > numbers.compared)
+    return "numbers: more images with numbers than images, or more lost";
+  if (numbers.features.value_or(0) > numbers.compared_features)
+    return "numbers: more features than compared_features";
+  if (numbers.largest_angle.value_or(0) > std::numbers::pi) return "numbers: a largest_angle above pi";
+  for (const auto& [what, count, is_told] :
+       {tuple("separations", numbers.separations, numbers.largest_separation.has_value()),
+        {"angles", numbers.angles, numbers.largest_angle.has_value()},
+        {"points", numbers.points, numbers.largest_point.has_value()},
+        {"compared_features", numbers.compared_features, numbers.features.has_value()}}) {
+    if (count > numbers.compared) return fmt::format("numbers: more {} than compared", what);
+    if (is_told != (count != 0)) return fmt::format("numbers: {} without what came of it, or the reverse", what);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> fault_of_asymmetry(const AsymmetryRecord& found) {
+  using std::tuple;
+  if (found.verdicts > found.images || found.images_with_comparisons > found.images ||
+      found.comparisons.value_or(0) > found.images_with_comparisons)
+    return "asymmetry: more verdicts or comparisons than images";
+  if (found.first_verdict.has_value() != (found.verdicts != 0) ||
+      found.first_comparison.has_value() != (found.comparisons.value_or(0) != 0))
+    return "asymmetry: first_verdict or first_comparison without a count, or the reverse";
+  if (!found.numbers) return std::nullopt;
+  const ImageNumbersRecord& numbers = *found.numbers;
+  // Images whose verdict is their base's.
+  if (Fault fault = fault_of_image_numbers(numbers, found.images - found.verdicts)) return "asymmetry/" + *fault;
+  for (const auto& [pair, is_there, is_due] :
+       {tuple("worst_separation", numbers.worst_separation.has_value(), numbers.largest_separation.value_or(0) != 0),
+        {"worst_angle", numbers.worst_angle.has_value(), numbers.largest_angle.value_or(0) != 0},
+        {"worst_point", numbers.worst_point.has_value(), numbers.largest_point.value_or(0) != 0},
+        {"first_feature", numbers.first_feature.has_value(), numbers.features.value_or(0) != 0},
+        {"first_lost", numbers.first_lost.has_value(), numbers.lost != 0}}) {
+    if (is_there != is_due) return fmt::format("asymmetry/numbers: {} without what it shows, or the reverse", pair);
+  }
   return std::nullopt;
 }
 

@@ -29,5 +29,15 @@ std::optional<std::string> fault_of_classes(const KernelRecord& kernel, const Fa
 std::optional<std::string> fault_of_verdicts(TouchingPolicy touching, const FamilyCounts& counts);
 // The same of the depths of a family of `valid` queries, and of those on engine-like queries.
 std::optional<std::string> fault_of_depths(const VerdictTally& verdict, std::uint64_t valid);
+// The same of what is said beside verdicts that have no fault_of_verdicts().
+std::optional<std::string> fault_of_contacts(TouchingPolicy touching, const FamilyCounts& counts);
+// Of its counts by size, which certificates leave out.
+std::optional<std::string> fault_of_sizes(const ContactTally& contacts);
+// Of the parts that are there, for a kernel of the predicate with so many measures.
+std::optional<std::string> fault_of_parts(const ContactTally& contacts, const Predicate& predicate,
+                                          std::size_t measure_count);
+// Of answers to images, and of what is said beside those to so many `images` that have their base's verdict.
+std::optional<std::string> fault_of_asymmetry(const AsymmetryRecord& found);
+std::optional<std::string> fault_of_image_numbers(const ImageNumbersRecord& numbers, std::uint64_t images);
 
 }  // namespace axiscert

@@ -220,12 +220,12 @@ class RecordCheck {
     require(!kernel.measures || kernel.measures->empty() ||
                 (family.contacts && (!family.contacts->missed || family.contacts->time)),
             where, "without what the kernel says beside its verdicts, though it gives measures");
-    if (family.contacts && family.contacts->consistency) {
-      const ConsistencyTally& numbers = *family.contacts->consistency;
-      require(numbers.positive <= numbers.contacts && numbers.negative <= numbers.separations &&
-                  numbers.missing <= numbers.judged,
-              where, "more answers that contradict themselves than answers with a number");
+    require_no(fault_of_contacts(kernel.touching, family), where);
+    if (family.contacts) {
+      require_no(fault_of_sizes(*family.contacts), where);
+      if (kernel.measures) require_no(fault_of_parts(*family.contacts, predicate_, kernel.measures->size()), where);
     }
+    if (family.asymmetry) require_no(fault_of_asymmetry(*family.asymmetry), where);
     const std::uint64_t promised =
         family.truth.contact + family.truth.separated - family.verdict.outside_limits.value_or(OutsideTally()).trials;
     const auto check_signs = [&](const auto& signs) {
