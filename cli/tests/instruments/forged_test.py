@@ -167,7 +167,7 @@ class Forged(CertifyCase):
         self.not_valid(with_counts(lambda c: c["verdict"].update(false_separation="1")), "a count there is from 0 to")
         self.not_valid(with_counts(lambda c: c["verdict"].update(mistakes=1)), "which no count is called")
         self.not_valid(with_counts(lambda c: c["verdict"].update(deepest="deep")), "which is no number")
-        self.not_valid(with_counts(lambda c: c["verdict"].update(touching_flips=c["verdict"].get("decided_touching", 0) + 1)), "more touching_flips than")
+        self.not_valid(with_counts(lambda c: c["verdict"].update(touching_flips=c["verdict"].get("decided_touching", 0) + 1)), "touching_flips")
         self.not_valid(with_counts(lambda c: c["verdict"].update(clear={"queries": 1, "undecided": 1}), k=1), "answers of one kind to clear")
         self.not_valid(lambda p: tallies(p)[0]["counts"].pop(), "tallies")
 
