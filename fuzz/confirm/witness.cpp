@@ -267,8 +267,9 @@ void WitnessWriter::note_contacts(const ContactTally& contacts, ShownReasons& sh
       note(contacts.consistency->first[which], [which](bool) { return std::string(consistency_words[which]); });
     }
   }
+  // Those of motions fail nothing: a rounding may take one for an overlap at the start.
   const auto note_missing = [&](const auto& part, std::string_view what) {
-    if (part) note(part->first_none, [what](bool) { return missing_texts::of_answer(what); });
+    if (part && !contacts.missed) note(part->first_none, [what](bool) { return missing_texts::of_answer(what); });
   };
   note_missing(contacts.separation, missing_texts::separation);
   note_missing(contacts.feature, missing_texts::feature);
