@@ -154,7 +154,7 @@ std::optional<Symptom> symptom_named(const Predicate& predicate, std::string_vie
 
 bool is_measure(const Predicate& predicate, std::string_view what) {
   for (const MeasureFault which : enumerators<MeasureFault>) {
-    if (has_measure(predicate, measure_of(which)) && is_named(which, what)) return true;
+    if (can_have(predicate, predicate.measures.size(), which) && is_named(which, what)) return true;
   }
   return false;
 }
@@ -187,8 +187,9 @@ Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const
     throw fail(fmt::format("not a valid query ({}): no answer of a kernel could be wrong", stored.columns().validity));
   SymptomFinder<Real> finder(kernel, target);
   const std::vector<Symptom> flips = finder.flips(q);
-  const bool is_of_verdict = options.what.empty() ? flips.empty() : options.what == "verdict";
-  if (is_of_verdict || !is_promised(kernel, q)) {
+  const bool is_of_measure = is_measure(*kernel.predicate, options.what);
+  const bool needs_verdict = options.what.empty() ? flips.empty() : options.what == "verdict" || is_of_measure;
+  if (needs_verdict || !is_promised(kernel, q)) {
     // No wrong verdict is one thing, and no verdict another.
     if (const auto why = finder.why_no_verdict(q)) {
       throw fail(
@@ -204,9 +205,15 @@ Symptom symptom_to_keep(const Numbers<Real>& q, const StoredQuery& stored, const
                            kernel.id, symptoms_text(flips),
                            stored.address.empty() ? "" : ", and it answers no image of it differently", error_suffix));
   }
-  if (is_measure(*kernel.predicate, options.what)) {
+  if (is_of_measure) {
     if (const auto fault = measure_fault(q, options.what, finder)) return *fault;
-    throw fail(fmt::format("--what {0}: {1} has no {0} that is wrong there{2}", options.what, kernel.id,
+    // No wrong number is one thing, and no number another.
+    bool is_compared = false;
+    for (const MeasureFault which : enumerators<MeasureFault>)
+      is_compared |= is_named(which, options.what) && finder.is_compared(q, which);
+    throw fail(fmt::format("--what {0}: {1} {2}{3}", options.what, kernel.id,
+                           is_compared ? fmt::format("has no {} that is wrong there", options.what)
+                                       : fmt::format("gives no {} there that could be wrong", options.what),
                            is_of_motions(*kernel.predicate) ? ", beside a right contact" : ""));
   }
   const Symptom asked = *symptom_named(*kernel.predicate, options.what);

@@ -65,8 +65,8 @@ void add_search(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command
       ->add_option("--what", o.what,
-                   "`verdict` or the error of a number beside it (separation, normal, left, unit, point), repeatable "
-                   "(default: all)")
+                   "`verdict` or the error of a number beside it (separation, feature, normal, left, unit, point), "
+                   "repeatable (default: all)")
       ->allow_extra_args(false);
   add_families(*command, o.families, "those from which a search of the predicate starts");
   auto* evaluations =

@@ -108,8 +108,8 @@ void add_shrink(CLI::App& app, Action& action) {
   command->add_option(
       "--what", options->what,
       fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, "
-                  "a measure (time, separation, feature, normal, point), or asymmetry: another answer to an image of "
-                  "the query, as a pair of {} and else of the one that is wrong (default: the first "
+                  "a measure (time, separation, feature, normal, left, unit, flip, point), or asymmetry: another "
+                  "answer to an image of the query, as a pair of {} and else of the one that is wrong (default: the first "
                   "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
                   "error of a comparison)",
                   ids_of(predicates_with(has_image_maps))));

@@ -59,6 +59,11 @@ MeasureKind measure_of(MeasureFault which) {
   return MeasureKind::other;
 }
 
+bool can_have(const Predicate& predicate, std::size_t measure_count, MeasureFault which) {
+  const bool is_of_points = which == MeasureFault::points;
+  return gives_measure(predicate, measure_count, is_of_points ? MeasureKind::point_b : measure_of(which));
+}
+
 std::string_view unit_of(MeasureFault which) {
   if (measure_of(which) == MeasureKind::time) return "u of the displacement";
   if (which == MeasureFault::normal) return "radians";
@@ -77,7 +82,7 @@ std::vector<std::string_view> judged_measures(const Predicate& predicate) {
 std::vector<std::string_view> fault_words(const Predicate& predicate) {
   std::vector<std::string_view> words;
   for (const MeasureFault which : enumerators<MeasureFault>) {
-    if (has_measure(predicate, measure_of(which))) words.push_back(word(which));
+    if (can_have(predicate, predicate.measures.size(), which)) words.push_back(word(which));
   }
   return words;
 }
@@ -210,6 +215,38 @@ std::vector<CountedFault> worst_counted(const ContactTally& tally, MeasureFault 
       return {};
   }
   return {};
+}
+
+std::uint64_t judged_counted(const ContactTally& tally, MeasureFault which) {
+  const auto judged = [](const auto& part) { return part ? part->judged : std::uint64_t{0}; };
+  switch (which) {
+    case MeasureFault::no_time:
+    case MeasureFault::late_time:
+    case MeasureFault::early_time:
+      return tally.time ? tally.answers : 0;
+    case MeasureFault::inconsistent:
+      return judged(tally.consistency);
+    case MeasureFault::flip:
+    case MeasureFault::left:
+      return judged(tally.pushed);
+    case MeasureFault::feature:
+      return judged(tally.feature);
+    case MeasureFault::separation:
+      return judged(tally.separation);
+    case MeasureFault::normal:
+      return judged(tally.normal);
+    case MeasureFault::length:
+      return tally.normal ? tally.normal->lengths : 0;
+    case MeasureFault::point:
+      return judged(tally.point);
+    case MeasureFault::point_a:
+      return judged(tally.point_a);
+    case MeasureFault::point_b:
+      return judged(tally.point_b);
+    case MeasureFault::points:
+      return judged(tally.points);
+  }
+  return 0;
 }
 
 }  // namespace axiscert

@@ -55,6 +55,8 @@ constexpr std::string_view word(MeasureFault which) { return measure_fault_words
 
 // What the faults are of, as --what has it: the kind of the measure.
 MeasureKind measure_of(MeasureFault which);
+// Whether a kernel with so many of the predicate's measures can have it.
+bool can_have(const Predicate& predicate, std::size_t measure_count, MeasureFault which);
 // Those of a predicate's measures that are judged, each once; and the words of their faults.
 std::vector<std::string_view> judged_measures(const Predicate& predicate);
 std::vector<std::string_view> fault_words(const Predicate& predicate);
@@ -80,5 +82,7 @@ struct CountedFault {
   std::uint64_t position;
 };
 std::vector<CountedFault> worst_counted(const ContactTally& tally, MeasureFault which);
+// The answers of that run of which is_judged() holds.
+std::uint64_t judged_counted(const ContactTally& tally, MeasureFault which);
 
 }  // namespace axiscert

@@ -1,6 +1,7 @@
 // What is wrong with the numbers beside a contact, by its kind and size.
 #include "fuzz/record/measure_fault.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -40,6 +41,11 @@ TEST(MeasureFault, EachIsOfItsMeasureAndHasItsSize) {
   EXPECT_EQ(measure_error(judgement, MeasureFault::point)->text, "off by 2 of the scene");
   EXPECT_EQ(measure_of(MeasureFault::length), MeasureKind::normal);
   EXPECT_EQ(measure_of(MeasureFault::early_time), MeasureKind::time);
+}
+
+TEST(MeasureFault, PointsAreOfAPredicateThatHasTwo) {
+  EXPECT_THAT(fault_words(find_predicate("sphere-triangle")), testing::Not(testing::Contains("points")));
+  EXPECT_THAT(fault_words(find_predicate("box-box")), testing::Contains("points"));
 }
 
 }  // namespace

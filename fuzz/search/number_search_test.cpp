@@ -179,5 +179,21 @@ TEST(SearchNumbers, ANumberThatIsNeverGivenWasNotLookedAt) {
   EXPECT_GT(result.judged.at(1), 0u) << "which is given";
 }
 
+// What the run from which it begins judged counts: no find stands beside nothing that was looked at.
+TEST(SearchNumbers, CountWhatTheFirstRunJudged) {
+  SearchPlan plan;
+  plan.kernel = &find_kernel("closest-point");
+  plan.what = {"separation", "unit"};
+  plan.sources = plan.first_sources = {family_source(find_family("general"))};
+  plan.first_queries = 64;
+  plan.evaluations = 0;
+  plan.target = std::string(scalar_target);
+  const std::atomic<bool> never = false;
+  const SearchResult result = search(plan, {}, never, [](const SearchProgress&) {});
+  EXPECT_EQ(result.finds.size(), 2u);
+  EXPECT_EQ(result.looked_at.at(0).decided, 0u);
+  for (const std::uint64_t judged : result.judged) EXPECT_EQ(judged, result.begun.decided);
+}
+
 }  // namespace
 }  // namespace axiscert

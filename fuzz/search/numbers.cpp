@@ -11,9 +11,7 @@ std::vector<Aim> number_aims(const Kernel& kernel) {
   for (const MeasureFault which : enumerators<MeasureFault>) {
     // A flip is one of what is left.
     const bool has_size = which != MeasureFault::inconsistent && which != MeasureFault::flip;
-    const bool is_of_points = which == MeasureFault::points;
-    if (has_size &&
-        gives_measure(*kernel.predicate, kernel.measure_count, is_of_points ? MeasureKind::point_b : measure_of(which)))
+    if (has_size && can_have(*kernel.predicate, kernel.measure_count, which))
       aims.push_back({Goal::number, static_cast<std::size_t>(which)});
   }
   return aims;

@@ -41,7 +41,7 @@ std::vector<Numbers<Real>> most_severe(std::vector<RankedPlace<Rank>> all, std::
 template <class Real>
 Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
                             const std::atomic<bool>& interrupted) {
-  Beginning<Real> beginning{std::vector<std::vector<Numbers<Real>>>(aims.size()), {}};
+  Beginning<Real> beginning{std::vector<std::vector<Numbers<Real>>>(aims.size()), {}, std::vector<std::uint64_t>(aims.size())};
   if (plan.first_queries == 0 || plan.first_sources.empty()) return beginning;
   Plan run;
   run.questions.seed = plan.seed;
@@ -67,6 +67,7 @@ Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims
         add(wrong, tally.verdict.deepest_false_contact, source);
       }
       if (aim.goal == Goal::number) {
+        beginning.judged[i] += judged_counted(tally.contacts, fault_of(aim));
         for (const auto& [size, position] : worst_counted(tally.contacts, fault_of(aim)))
           wrong.push_back({size, &source, position});
       }

@@ -58,6 +58,7 @@ template <class Real>
 struct Beginning {
   std::vector<std::vector<Numbers<Real>>> found;  // by aim
   LookedAt looked_at;                             // without the first fault, which a run has in its record
+  std::vector<std::uint64_t> judged;              // by aim: those with the number that it is about; of others 0
 };
 
 // For each aim the queries that showed most of it, in the order of aims, by a run of plan.first_queries queries of each

@@ -124,9 +124,10 @@ class Search {
   // Goal::error, where they still show something there.
   void begin(const std::atomic<bool>& interrupted) {
     if (islands_ != 0) return;  // it was begun before
-    const auto [found, looked_at] = first_found<Real>(plan_, aims_, interrupted);
+    const auto [found, looked_at, judged] = first_found<Real>(plan_, aims_, interrupted);
     if (interrupted) return;  // not all of it: a search that is resumed begins again
     begun_ = looked_at;
+    judged_ = judged;
     Confirmer<Real> confirmer(*plan_.kernel, plan_.target);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
       const auto guide = make_guide(aims_[i]);

@@ -60,9 +60,10 @@ struct SearchResult {
   std::vector<Find> finds;  // in the order of the aims; an aim without a result is left out
   // By aim, the queries that were evaluated for it; they may be a few less than its islands' shares.
   std::vector<LookedAt> looked_at;
-  std::vector<std::uint64_t> judged;  // by aim: those with what it is about, where is_about_a_part()
-  LookedAt begun;                     // the queries of the run from which the search began
-  std::string state;                  // from which a later run continues
+  // By aim, those with what it is about, where is_about_a_part(); of a number those of `begun` too.
+  std::vector<std::uint64_t> judged;
+  LookedAt begun;  // the queries of the run from which the search began
+  std::string state;  // from which a later run continues
 
   // The queries that could have shown aim i.
   std::uint64_t seen(std::size_t i) const { return is_about_a_part(aims[i].goal) ? judged[i] : looked_at[i].decided; }

@@ -149,6 +149,12 @@ std::vector<Symptom> SymptomFinder<Real>::measure_faults(const Numbers<Real>& q)
 }
 
 template <class Real>
+bool SymptomFinder<Real>::is_compared(const Numbers<Real>& q, MeasureFault which) {
+  const std::optional<ContactJudgement> found = contact(q);
+  return found && is_judged(*found, which);
+}
+
+template <class Real>
 std::optional<Symptom> SymptomFinder<Real>::largest_error(const Numbers<Real>& q) {
   if (kernel_.exposes != Exposure::sides) return std::nullopt;
   const auto size_of_error = [](const Severity& severity) {

@@ -62,6 +62,8 @@ class SymptomFinder {
   std::vector<Symptom> flips(const Numbers<Real>& q);
   // What is wrong with the numbers beside the verdict, the worst first.
   std::vector<Symptom> measure_faults(const Numbers<Real>& q);
+  // Whether the answer has the number that a fault is of, and it was compared.
+  bool is_compared(const Numbers<Real>& q, MeasureFault which);
   // The largest error of a comparison, in u; empty where the kernel shows none.
   std::optional<Symptom> largest_error(const Numbers<Real>& q);
   // Why there is no verdict on a valid query that could be wrong: it is beyond what the kernel promises, or the kernel

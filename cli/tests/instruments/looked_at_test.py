@@ -180,7 +180,7 @@ class LookedAt(Case):
     def test_a_shrink_keeps_no_answer_that_is_no_verdict(self):
         for kernel, says in ((promise("declines_contacts"), "it declines to say"), (promise("answers_77"), "it gives no answer"),
                              (promise("limited_to_nothing"), "outside the limits that it declares")):
-            for what in ((), ("--what", "verdict")):
+            for what in ((), ("--what", "verdict"), ("--what", "normal")):
                 self.refused("shrink", "-", "--kernel", kernel, *what, stdin=json.dumps(CONTACT), says=["has no verdict to keep: ", says])
         self.refused("shrink", "-", "--kernel", promise("keeps_its_promise"), stdin=json.dumps(CONTACT), says=["is not wrong on it"])
 
