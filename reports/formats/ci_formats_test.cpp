@@ -180,7 +180,7 @@ TEST(Sarif, AResultACellThatIsNotZero) {
 }
 
 TEST(Sarif, ALateTimeIsAWarningAndAnEarlyOneANote) {
-  const TestFolder folder(motions(contacts(7, 0.5, 0)));
+  const TestFolder folder(grown(motions(contacts(7, 0.5, 0))));
   render_reports(folder.path());
   std::map<std::string, Json> results;
   const Json log = Json::parse(folder.read("report.sarif"));
@@ -191,6 +191,26 @@ TEST(Sarif, ALateTimeIsAWarningAndAnEarlyOneANote) {
   EXPECT_FALSE(results.contains("no-time") || results.contains("invalid-time"));
   const std::string text = results["late-time"]["message"]["text"];
   EXPECT_NE(text.find("7 of 900 contacts found"), std::string::npos) << text;
+}
+
+// Late times are a warning, and a size is in no cell with a rule: the level is the result, with its witness.
+TEST(Sarif, ALevelThatNoOtherErrorStandsForIsOne) {
+  Json record = grown(motions(contacts(7, 0.5, 0)));
+  record["plan"]["require"] = {"never-late", "exact"};
+  const TestFolder folder(record);
+  render_reports(folder.path());
+  std::map<std::string, Json> results;
+  const Json log = Json::parse(folder.read("report.sarif"));
+  for (const Json& result : log["runs"][0]["results"])
+    results[result["locations"][0]["logicalLocations"][0]["fullyQualifiedName"]] = result;
+  EXPECT_FALSE(results.contains("<script>/binary32/tangent/requirement.exact")) << "missed contacts stand for it";
+  ASSERT_TRUE(results.contains("<script>/binary32/tangent/requirement.never-late"));
+  const Json& result = results["<script>/binary32/tangent/requirement.never-late"];
+  EXPECT_EQ(result["ruleId"], "requirement-not-met");
+  EXPECT_EQ(result["level"], "error");
+  EXPECT_EQ(log["runs"][0]["tool"]["driver"]["rules"][result["ruleIndex"].get<std::size_t>()]["id"], result["ruleId"]);
+  EXPECT_THAT(result["message"]["text"].get<std::string>(),
+              testing::AllOf(HasSubstr("never-late is not met."), HasSubstr("Reproduced by: ")));
 }
 
 }  // namespace

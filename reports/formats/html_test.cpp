@@ -157,7 +157,7 @@ TEST(Html, WitnessHasDecimalsAndItsReplay) {
 // The page draws and names by the predicate: the axis of each comparison, the first contact, the time that was
 // reported.
 TEST(Html, AMotionHasItsPredicateAndItsFirstContact) {
-  const TestFolder folder(motions(contacts(9, 0.25, 0)));
+  const TestFolder folder(grown(motions(contacts(9, 0.25, 0))));
   ASSERT_EQ(folder.rendering_error(), "");
   const Json data = page_data(folder.read("report.html")), card = data["witnesses"]["cards"][0];
   EXPECT_EQ(data["comparisons"]["start.vertex_a.side_b"], "start.vertex_a");

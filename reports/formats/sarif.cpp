@@ -3,7 +3,7 @@
 // the count. Its location is where the kernel is written, by run.json, with the line of the cell's deepest witness in
 // witnesses.jsonl as a related one; where the source is not known, that line is the location. A cell that is worse than
 // the ratchet accepts has one more result, an error, at the same location; one that the ratchet accepts is a note with
-// a suppression.
+// a suppression. A level that is not met has an error for each family where none of these stands for it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,6 +65,8 @@ constexpr Rule ratchet_rule = {
     "A figure is worse than the ratchet accepts, its waiver has expired, or it was not checked."};
 constexpr Rule unchecked_rule = {"requirement-not-checked", "", CountOf::verdict, "error",
                                  "A level of --require, or a kernel, was not checked, which does not pass."};
+constexpr Rule unmet_rule = {"requirement-not-met", "", CountOf::verdict, "error",
+                             "A level of --require is not met, which no result about a count says."};
 constexpr Rule finding_rule = {"plug-in", "", CountOf::verdict, "error", "A plug-in violated the rules for kernels."};
 
 CountOf counted_in(const Cell& cell) {
@@ -110,11 +112,15 @@ class Log {
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", json_of(record_.plan.axiscert)}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule})
+    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule, &unmet_rule})
       driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
+    std::vector<const Cell*> errors;
     for (const Cell& cell : cells_) {
-      if (const Rule* rule = rule_of(cell); rule && !cell.is_zero()) results.push_back(result(cell, *rule));
+      const Rule* const rule = rule_of(cell);
+      if (rule == nullptr || cell.is_zero()) continue;
+      results.push_back(result(cell, *rule));
+      if (results.back()["level"] == "error") errors.push_back(&cell);
     }
     if (held_) {
       for (const RatchetFailure& failure : held_->failures) results.push_back(ratchet_result(failure));
@@ -122,6 +128,8 @@ class Log {
     for (const LevelOutcome& outcome : outcomes_) {
       const bool is_beside_families = std::ranges::any_of(outcome.failures, &Failure::is_beside_families);
       if (outcome.state == LevelState::not_checked || is_beside_families) results.push_back(unchecked_result(outcome));
+      for (const auto& [family, failures] : without_error(outcome, errors))
+        results.push_back(unmet_result(outcome, family, failures));
     }
     for (const std::string& sentence : unjudged(record_)) results.push_back(unjudged_result(sentence));
     const Json invocation = {{"executionSuccessful", record_.complete}};
@@ -246,6 +254,54 @@ class Log {
     put_suppressions(json, nullptr);
     if (outcome.is_allowed)
       json["suppressions"].push_back({{"kind", "external"}, {"justification", "--allow-unchecked"}});
+    return json;
+  }
+
+  // The failures of a level, by family, that no error about a cell stands for: a size is none of the cells that have
+  // rules.
+  using ByFamily = std::map<std::string, std::vector<const Failure*>>;
+  ByFamily without_error(const LevelOutcome& outcome, const std::vector<const Cell*>& errors) const {
+    const GateLevel& level = level_of(outcome.asked);
+    const bool is_of_verdicts = level.allowed != nullptr || level.is_about_causes;
+    ByFamily found;
+    for (const Failure& failure : outcome.failures) {
+      const auto stands_for_it = [&](const Cell* cell) {
+        if (cell->kernel != failure.kernel || cell->precision != failure.precision || cell->family != failure.family)
+          return false;
+        if (is_of_verdicts && cell->place == "verdict") return true;
+        const auto witnesses = witnesses_.of(*cell);
+        const auto is_its = [&](const WitnessRecord* witness) { return witness->id == failure.witness; };
+        return cell->count() == failure.count &&
+               (failure.witness.empty() || std::ranges::any_of(witnesses, is_its));
+      };
+      if (!failure.is_beside_families && std::ranges::none_of(errors, stands_for_it))
+        found[failure.family].push_back(&failure);
+    }
+    return found;
+  }
+
+  Json unmet_result(const LevelOutcome& outcome, const std::string& family,
+                    const std::vector<const Failure*>& failures) const {
+    std::string kernel = outcome.kernel, message = outcome.asked.text + " is not met.";
+    for (const Cell& cell : cells_) {
+      if (cell.kernel == outcome.kernel) kernel = cell.identity;
+    }
+    const WitnessRecord* witness = nullptr;
+    for (const Failure* failure : failures) {
+      message += " " + failure->text() + ".";
+      for (const WitnessRecord& one : record_.witnesses) {
+        if (witness == nullptr && one.id == failure->witness) witness = &one;
+      }
+    }
+    if (witness != nullptr) message += " Reproduced by: " + replay_command(*witness, record_.plan);
+    const Json key = Json::array({kernel, outcome.precision, family, "requirement." + outcome.asked.text});
+    Json json = {{"ruleId", unmet_rule.id},
+                 {"ruleIndex", std::size(rules) + 3},
+                 {"level", unmet_rule.level},
+                 {"message", {{"text", message_text(message)}}},
+                 {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
+    put_places(json, outcome.kernel, key, witness);
+    put_suppressions(json, nullptr);
     return json;
   }
 

@@ -339,7 +339,7 @@ TEST(RatchetOfContacts, APlaceOrFigureThatThePredicateDoesNotHaveIsRefused) {
 }
 
 TEST(RatchetOfContacts, ItsFailuresAreInTheCaseOfTheFamilysVerdict) {
-  const TestFolder folder(motions(contacts(9, 0.25, 0)));
+  const TestFolder folder(grown(motions(contacts(9, 0.25, 0))));
   folder.write("ratchet.json", json_of(held(contacts(9, 0.25, 0))).dump());
   render_reports(folder.path());
   const std::string junit = folder.read("junit.xml");

@@ -223,6 +223,155 @@ TEST(RunFolder, WhatAPlanOrKernelListsTwiceIsRefused) {
               HasSubstr("appears twice"));
 }
 
+// 70 answers of a kernel with every number: 40 contacts, three of them phantom, with a flip; a feature that is wrong.
+FamilyCounts counts_with_contacts() {
+  FamilyCounts counts;
+  counts.trials = 100;
+  counts.truth = {60, 40, 5, 0};
+  counts.verdict.decided_contacts = 38;
+  counts.verdict.decided_separations = 57;
+  counts.verdict.false_separation = 1;
+  counts.verdict.false_contact = 3;
+  ContactTally& all = counts.contacts.emplace();
+  all.decided.reset();
+  all.missed.reset();
+  all.time.reset();
+  all.answers = 70;
+  all.separations = 30;
+  for_each_number(all, [](MeasureKind, auto& part) {
+    if (!part) return;
+    part->given.contacts = 39;
+    part->given.separations = 29;
+    part->given.which_contacts.mark = part->given.which_separations.mark = 7;
+    if constexpr (requires { part->judged = 1; }) part->judged = 68;
+    part->none = 1;
+  });
+  ConsistencyTally& consistency = *all.consistency;
+  consistency.judged = 69;
+  consistency.contacts = 39;
+  consistency.separations = 29;
+  consistency.positive = consistency.negative = consistency.missing = 1;
+  all.separation->by_decade[3] = 68;
+  all.separation->largest_error.offer({5e-19, 1});
+  all.separation->largest_ulps.offer({round_up(1), 1});
+  all.feature->wrong = 2;
+  all.feature->unnamed = 1;
+  all.feature->largest_error.offer({0.5, 1});
+  all.normal->lengths = 68;
+  all.pushed->judged = 35;
+  all.pushed->nowhere = all.pushed->flips = 1;
+  all.pushed->largest_left.offer({round_up(2), 1});
+  all.points->judged = 68;
+  return counts;
+}
+
+TEST(RunFolder, NumbersBesideVerdictsFitTheAnswersAndEachOther) {
+  const auto fault_after = [](const std::function<void(FamilyCounts&, ContactTally&)>& edit) {
+    FamilyCounts counts = counts_with_contacts();
+    edit(counts, *counts.contacts);
+    return fault_of_contacts(TouchingPolicy::contact, counts).value_or(fault_of_sizes(*counts.contacts).value_or(""));
+  };
+  EXPECT_EQ(fault_after([](FamilyCounts&, ContactTally&) {}), "");
+  struct Edit {
+    const char* path;
+    void (*edit)(ContactTally&);
+  };
+  const Edit edits[] = {
+      {"contacts: ", [](ContactTally& c) { c.separations = 71; }},
+      {"contacts: ", [](ContactTally& c) { c.answers = 1000000; }},
+      {"contacts: ", [](ContactTally& c) { c.separations = 56; }},
+      {"contacts: ", [](ContactTally& c) { c.decided = 70; }},
+      {"contacts/separation/given: ", [](ContactTally& c) { c.separation->given.contacts = 41; }},
+      {"contacts/normal/given: ", [](ContactTally& c) { c.normal->given.separations = 31; }},
+      {"contacts/point/given: ", [](ContactTally& c) { c.point->given.which_contacts = {}; }},
+      {"contacts/separation: ", [](ContactTally& c) { c.separation->judged = 69; }},
+      {"contacts/feature: ", [](ContactTally& c) { c.feature->none = 3; }},
+      {"contacts/normal: ", [](ContactTally& c) { c.normal->lengths = 69; }},
+      {"contacts/normal: ", [](ContactTally& c) { c.normal->lengths = 67; }},
+      {"contacts/normal: ", [](ContactTally& c) { c.normal->largest_angle.offer({3.2, 1}); }},
+      {"contacts/consistency: ", [](ContactTally& c) { c.consistency->contacts = 38; }},
+      {"contacts/consistency: ", [](ContactTally& c) { c.consistency->judged = 67; }},
+      {"contacts/consistency: ", [](ContactTally& c) { c.consistency->positive = 40; }},
+      {"contacts/consistency: ", [](ContactTally& c) { c.consistency->missing = 68; }},
+      {"contacts/feature: ", [](ContactTally& c) { c.feature->wrong = 69; }},
+      {"contacts/feature: ", [](ContactTally& c) { c.feature->unnamed = 3; }},
+      {"contacts/feature: ", [](ContactTally& c) { c.feature->unnamed = 2; }},
+      {"contacts/pushed: ", [](ContactTally& c) { c.pushed->judged = 69; }},
+      {"contacts/pushed: ", [](ContactTally& c) { c.pushed->none = 2; }},
+      {"contacts/pushed: ", [](ContactTally& c) { c.pushed->nowhere = 36; }},
+      {"contacts/pushed: ", [](ContactTally& c) { c.pushed->flips = 1000000; }},
+      {"contacts/pushed/largest_left: ", [](ContactTally& c) { c.pushed->largest_left = Leaders<Decimal6>(); }},
+      {"contacts/pushed/largest_left: ", [](ContactTally& c) { c.pushed->largest_left.offer({round_up(3), 1}); }},
+      {"contacts/points: ", [](ContactTally& c) { c.points->judged = 69; }},
+      {"contacts/points: ", [](ContactTally& c) { c.point_b->judged = 67; }},
+      {"contacts/separation: ", [](ContactTally& c) { c.separation->by_decade[3] = 67; }},
+      {"contacts/separation: ", [](ContactTally& c) { c.separation->largest_error.offer({1, 1}); }},
+  };
+  for (const Edit& one : edits) {
+    const std::string fault = fault_after([&](FamilyCounts&, ContactTally& contacts) { one.edit(contacts); });
+    EXPECT_THAT(fault, testing::StartsWith(one.path)) << &one - edits;
+  }
+  EXPECT_THAT(fault_after([](FamilyCounts& c, ContactTally&) { c.verdict.false_contact = 0; }), HasSubstr("contacts: "));
+}
+
+TEST(RunFolder, TimesFitTheContactsThatAreFound) {
+  const auto error_after = [](const std::function<void(Json&)>& edit) {
+    Json record = grown(motions(contacts(5, 0.25, 0)));
+    edit(record["kernels"][0]["families"]["tangent"]["contacts"]);
+    return TestFolder(record).rendering_error();
+  };
+  EXPECT_EQ(error_after([](Json&) {}), "");
+  EXPECT_THAT(error_after([](Json& c) { c["answers"] = 901; }), HasSubstr("tangent\": contacts: answers"));
+  EXPECT_THAT(error_after([](Json& c) { c["decided"] = 908; }), HasSubstr("contacts: answers and decided"));
+  EXPECT_THAT(error_after([](Json& c) { c["missed"]["through"] = 1; }), HasSubstr("contacts/missed: "));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["given"]["contacts"] = 899; }), HasSubstr("contacts/time: more judged"));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["early"] = 99, c["time"]["judged"] = 899; }),
+              HasSubstr("contacts/time: none"));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["late_tunnels"]["through"] = 6; }), HasSubstr("contacts/time: more through"));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["late_errors"]["by_power"]["2"] = 4; }),
+              HasSubstr("contacts/time/late_errors: "));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["late_errors"]["largest_ulps"] = 250; }),
+              HasSubstr("contacts/time/late_errors: "));
+  EXPECT_THAT(error_after([](Json& c) { c["missed"] = nullptr, c["decided"] = nullptr; }),
+              HasSubstr("contacts/decided: is null"));
+}
+
+TEST(RunFolder, AnswersToImagesFitTheirNumber) {
+  const AddressPair pair{Name("a"), Name("b")};
+  AsymmetryRecord whole;
+  whole.images = 50;
+  whole.verdicts = whole.images_with_comparisons = whole.comparisons.emplace() = 1;
+  whole.first_verdict = whole.first_comparison = pair;
+  whole.numbers = {.images = 49, .compared = 48, .separations = 48, .angles = 40, .points = 0, .compared_features = 48,
+                   .lost = 1, .features = 1, .largest_separation = 0.5, .largest_angle = 0, .largest_point = {},
+                   .worst_separation = pair, .worst_angle = {}, .worst_point = {}, .first_feature = pair,
+                   .first_lost = pair};
+  EXPECT_EQ(fault_of_asymmetry(whole).value_or(""), "");
+  void (*const edits[])(AsymmetryRecord&) = {
+      [](AsymmetryRecord& a) { a.verdicts = 51; },
+      [](AsymmetryRecord& a) { a.verdicts = 0; },
+      [](AsymmetryRecord& a) { a.comparisons = 2; },
+      [](AsymmetryRecord& a) { a.images_with_comparisons = 51; },
+      [](AsymmetryRecord& a) { a.first_comparison.reset(); },
+      [](AsymmetryRecord& a) { a.numbers->images = 50; },
+      [](AsymmetryRecord& a) { a.numbers->compared = 50; },
+      [](AsymmetryRecord& a) { a.numbers->separations = 49; },
+      [](AsymmetryRecord& a) { a.numbers->lost = 49; },
+      [](AsymmetryRecord& a) { a.numbers->features = 49; },
+      [](AsymmetryRecord& a) { a.numbers->largest_angle = 4; },
+      [](AsymmetryRecord& a) { a.numbers->largest_angle.reset(); },
+      [](AsymmetryRecord& a) { a.numbers->largest_point = 0.5; },
+      [](AsymmetryRecord& a) { a.numbers->worst_separation.reset(); },
+      [](AsymmetryRecord& a) { a.numbers->worst_point = a.first_verdict; },
+      [](AsymmetryRecord& a) { a.numbers->first_feature.reset(); },
+      [](AsymmetryRecord& a) { a.numbers->lost = 0; }};
+  for (const auto& edit : edits) {
+    AsymmetryRecord spoiled = whole;
+    edit(spoiled);
+    EXPECT_THAT(fault_of_asymmetry(spoiled).value_or("none"), testing::StartsWith("asymmetry")) << &edit - edits;
+  }
+}
+
 TEST(RunFolder, WitnessBeyondItsPrecisionIsRefused) {
   EXPECT_THAT(error_after_edit([](Json& r) { r["witnesses"][0]["r"] = "0x1.000000001p+0"; }), HasSubstr("\"w1\", r"));
 }
