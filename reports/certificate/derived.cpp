@@ -115,7 +115,8 @@ std::vector<SaidText> limits_of(const CertificatePredicate& predicate) {
   const HarnessStatement& harness = predicate.harness;
   for (const auto& [precision, score] : harness.score) {
     if (score.judged == 0) {
-      say(fmt::format("Of {} faults planted in a right kernel that shows as much, none was asked a valid query in {}: "
+      say(
+          fmt::format("Of {} faults planted in a right kernel that shows as much, none was asked a valid query in {}: "
                       "how many such a run notices is not known.",
                       score.mutants, precision));
       continue;
