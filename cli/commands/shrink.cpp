@@ -107,12 +107,13 @@ void add_shrink(CLI::App& app, Action& action) {
   add_precision(*command, options->precision, of_csv_files);
   command->add_option(
       "--what", options->what,
-      fmt::format("what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, "
-                  "a measure (time, separation, feature, normal, left, unit, flip, point), or asymmetry: another "
-                  "answer to an image of the query, as a pair of {} and else of the one that is wrong (default: the first "
-                  "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
-                  "error of a comparison)",
-                  ids_of(predicates_with(has_image_maps))));
+      fmt::format(
+          "what to keep: verdict, an axis or a comparison that is wrong, COMPARISON:error, "
+          "a measure (time, separation, feature, normal, left, unit, flip, point), or asymmetry: another "
+          "answer to an image of the query, as a pair of {} and else of the one that is wrong (default: the first "
+          "that is wrong: verdict, axis, comparison, asymmetry, measure; else the largest "
+          "error of a comparison)",
+          ids_of(predicates_with(has_image_maps))));
   command->add_flag("--any-class", options->any_class,
                     fmt::format("as small as it goes: keep neither the class of the input nor a depth of at most {} "
                                 "times the given one",

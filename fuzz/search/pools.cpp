@@ -41,7 +41,8 @@ std::vector<Numbers<Real>> most_severe(std::vector<RankedPlace<Rank>> all, std::
 template <class Real>
 Beginning<Real> first_found(const SearchPlan& plan, const std::vector<Aim>& aims,
                             const std::atomic<bool>& interrupted) {
-  Beginning<Real> beginning{std::vector<std::vector<Numbers<Real>>>(aims.size()), {}, std::vector<std::uint64_t>(aims.size())};
+  Beginning<Real> beginning{
+      std::vector<std::vector<Numbers<Real>>>(aims.size()), {}, std::vector<std::uint64_t>(aims.size())};
   if (plan.first_queries == 0 || plan.first_sources.empty()) return beginning;
   Plan run;
   run.questions.seed = plan.seed;

@@ -62,7 +62,7 @@ struct SearchResult {
   std::vector<LookedAt> looked_at;
   // By aim, those with what it is about, where is_about_a_part(); of a number those of `begun` too.
   std::vector<std::uint64_t> judged;
-  LookedAt begun;  // the queries of the run from which the search began
+  LookedAt begun;     // the queries of the run from which the search began
   std::string state;  // from which a later run continues
 
   // The queries that could have shown aim i.

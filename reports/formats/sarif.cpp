@@ -271,8 +271,7 @@ class Log {
         if (is_of_verdicts && cell->place == "verdict") return true;
         const auto witnesses = witnesses_.of(*cell);
         const auto is_its = [&](const WitnessRecord* witness) { return witness->id == failure.witness; };
-        return cell->count() == failure.count &&
-               (failure.witness.empty() || std::ranges::any_of(witnesses, is_its));
+        return cell->count() == failure.count && (failure.witness.empty() || std::ranges::any_of(witnesses, is_its));
       };
       if (!failure.is_beside_families && std::ranges::none_of(errors, stands_for_it))
         found[failure.family].push_back(&failure);

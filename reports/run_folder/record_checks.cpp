@@ -312,8 +312,7 @@ Fault fault_of_number(const ContactTally& all, std::string_view name, const auto
   if ((given.contacts != 0) != (given.which_contacts.mark != 0) ||
       (given.separations != 0) != (given.which_separations.mark != 0))
     return fmt::format("contacts/{}/given: a mark of which answers without a count, or the reverse", name);
-  if (judged > given.contacts + given.separations)
-    return fmt::format("contacts/{}: more judged than given", name);
+  if (judged > given.contacts + given.separations) return fmt::format("contacts/{}: more judged than given", name);
   if (!fit(all.answers, {judged, missing})) return fmt::format("contacts/{}: more judged or none than answers", name);
   return std::nullopt;
 }
@@ -351,9 +350,8 @@ std::optional<std::string> fault_of_contacts(TouchingPolicy policy, const Family
                       right_separations = verdict.decided_separations - verdict.false_contact,
                       outside_touching = verdict.outside_limits.value_or(OutsideTally()).touching;
   // Where a kernel promises nothing of what touches, its answers there are in no count of verdicts.
-  const std::uint64_t either = policy == TouchingPolicy::either
-                                   ? counts.truth.touching - outside_touching - verdict.undecided_touching
-                                   : 0;
+  const std::uint64_t either =
+      policy == TouchingPolicy::either ? counts.truth.touching - outside_touching - verdict.undecided_touching : 0;
   if (!all.decided) {
     if (all.answers - all.separations > right_contacts + verdict.false_contact + either ||
         all.separations > right_separations + verdict.false_separation + either)
@@ -436,8 +434,7 @@ std::optional<std::string> fault_of_image_numbers(const ImageNumbersRecord& numb
   using std::tuple;
   if (numbers.images > images || numbers.compared > numbers.images || numbers.lost > numbers.compared)
     return "numbers: more images with numbers than images, or more lost";
-  if (numbers.features.value_or(0) > numbers.compared_features)
-    return "numbers: more features than compared_features";
+  if (numbers.features.value_or(0) > numbers.compared_features) return "numbers: more features than compared_features";
   if (numbers.largest_angle.value_or(0) > std::numbers::pi) return "numbers: a largest_angle above pi";
   for (const auto& [what, count, is_told] :
        {tuple("separations", numbers.separations, numbers.largest_separation.has_value()),

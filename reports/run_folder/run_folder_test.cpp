@@ -288,7 +288,10 @@ TEST(RunFolder, NumbersBesideVerdictsFitTheAnswersAndEachOther) {
       {"contacts/feature: ", [](ContactTally& c) { c.feature->none = 3; }},
       {"contacts/normal: ", [](ContactTally& c) { c.normal->lengths = 69; }},
       {"contacts/normal: ", [](ContactTally& c) { c.normal->lengths = 67; }},
-      {"contacts/normal: ", [](ContactTally& c) { c.normal->largest_angle.offer({3.2, 1}); }},
+      {"contacts/normal: ",
+       [](ContactTally& c) {
+         c.normal->largest_angle.offer({3.2, 1});
+       }},
       {"contacts/consistency: ", [](ContactTally& c) { c.consistency->contacts = 38; }},
       {"contacts/consistency: ", [](ContactTally& c) { c.consistency->judged = 67; }},
       {"contacts/consistency: ", [](ContactTally& c) { c.consistency->positive = 40; }},
@@ -301,17 +304,24 @@ TEST(RunFolder, NumbersBesideVerdictsFitTheAnswersAndEachOther) {
       {"contacts/pushed: ", [](ContactTally& c) { c.pushed->nowhere = 36; }},
       {"contacts/pushed: ", [](ContactTally& c) { c.pushed->flips = 1000000; }},
       {"contacts/pushed/largest_left: ", [](ContactTally& c) { c.pushed->largest_left = Leaders<Decimal6>(); }},
-      {"contacts/pushed/largest_left: ", [](ContactTally& c) { c.pushed->largest_left.offer({round_up(3), 1}); }},
+      {"contacts/pushed/largest_left: ",
+       [](ContactTally& c) {
+         c.pushed->largest_left.offer({round_up(3), 1});
+       }},
       {"contacts/points: ", [](ContactTally& c) { c.points->judged = 69; }},
       {"contacts/points: ", [](ContactTally& c) { c.point_b->judged = 67; }},
       {"contacts/separation: ", [](ContactTally& c) { c.separation->by_decade[3] = 67; }},
-      {"contacts/separation: ", [](ContactTally& c) { c.separation->largest_error.offer({1, 1}); }},
+      {"contacts/separation: ",
+       [](ContactTally& c) {
+         c.separation->largest_error.offer({1, 1});
+       }},
   };
   for (const Edit& one : edits) {
     const std::string fault = fault_after([&](FamilyCounts&, ContactTally& contacts) { one.edit(contacts); });
     EXPECT_THAT(fault, testing::StartsWith(one.path)) << &one - edits;
   }
-  EXPECT_THAT(fault_after([](FamilyCounts& c, ContactTally&) { c.verdict.false_contact = 0; }), HasSubstr("contacts: "));
+  EXPECT_THAT(fault_after([](FamilyCounts& c, ContactTally&) { c.verdict.false_contact = 0; }),
+              HasSubstr("contacts: "));
 }
 
 TEST(RunFolder, TimesFitTheContactsThatAreFound) {
@@ -324,10 +334,12 @@ TEST(RunFolder, TimesFitTheContactsThatAreFound) {
   EXPECT_THAT(error_after([](Json& c) { c["answers"] = 901; }), HasSubstr("tangent\": contacts: answers"));
   EXPECT_THAT(error_after([](Json& c) { c["decided"] = 908; }), HasSubstr("contacts: answers and decided"));
   EXPECT_THAT(error_after([](Json& c) { c["missed"]["through"] = 1; }), HasSubstr("contacts/missed: "));
-  EXPECT_THAT(error_after([](Json& c) { c["time"]["given"]["contacts"] = 899; }), HasSubstr("contacts/time: more judged"));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["given"]["contacts"] = 899; }),
+              HasSubstr("contacts/time: more judged"));
   EXPECT_THAT(error_after([](Json& c) { c["time"]["early"] = 99, c["time"]["judged"] = 899; }),
               HasSubstr("contacts/time: none"));
-  EXPECT_THAT(error_after([](Json& c) { c["time"]["late_tunnels"]["through"] = 6; }), HasSubstr("contacts/time: more through"));
+  EXPECT_THAT(error_after([](Json& c) { c["time"]["late_tunnels"]["through"] = 6; }),
+              HasSubstr("contacts/time: more through"));
   EXPECT_THAT(error_after([](Json& c) { c["time"]["late_errors"]["by_power"]["2"] = 4; }),
               HasSubstr("contacts/time/late_errors: "));
   EXPECT_THAT(error_after([](Json& c) { c["time"]["late_errors"]["largest_ulps"] = 250; }),
@@ -342,29 +354,40 @@ TEST(RunFolder, AnswersToImagesFitTheirNumber) {
   whole.images = 50;
   whole.verdicts = whole.images_with_comparisons = whole.comparisons.emplace() = 1;
   whole.first_verdict = whole.first_comparison = pair;
-  whole.numbers = {.images = 49, .compared = 48, .separations = 48, .angles = 40, .points = 0, .compared_features = 48,
-                   .lost = 1, .features = 1, .largest_separation = 0.5, .largest_angle = 0, .largest_point = {},
-                   .worst_separation = pair, .worst_angle = {}, .worst_point = {}, .first_feature = pair,
+  whole.numbers = {.images = 49,
+                   .compared = 48,
+                   .separations = 48,
+                   .angles = 40,
+                   .points = 0,
+                   .compared_features = 48,
+                   .lost = 1,
+                   .features = 1,
+                   .largest_separation = 0.5,
+                   .largest_angle = 0,
+                   .largest_point = {},
+                   .worst_separation = pair,
+                   .worst_angle = {},
+                   .worst_point = {},
+                   .first_feature = pair,
                    .first_lost = pair};
   EXPECT_EQ(fault_of_asymmetry(whole).value_or(""), "");
-  void (*const edits[])(AsymmetryRecord&) = {
-      [](AsymmetryRecord& a) { a.verdicts = 51; },
-      [](AsymmetryRecord& a) { a.verdicts = 0; },
-      [](AsymmetryRecord& a) { a.comparisons = 2; },
-      [](AsymmetryRecord& a) { a.images_with_comparisons = 51; },
-      [](AsymmetryRecord& a) { a.first_comparison.reset(); },
-      [](AsymmetryRecord& a) { a.numbers->images = 50; },
-      [](AsymmetryRecord& a) { a.numbers->compared = 50; },
-      [](AsymmetryRecord& a) { a.numbers->separations = 49; },
-      [](AsymmetryRecord& a) { a.numbers->lost = 49; },
-      [](AsymmetryRecord& a) { a.numbers->features = 49; },
-      [](AsymmetryRecord& a) { a.numbers->largest_angle = 4; },
-      [](AsymmetryRecord& a) { a.numbers->largest_angle.reset(); },
-      [](AsymmetryRecord& a) { a.numbers->largest_point = 0.5; },
-      [](AsymmetryRecord& a) { a.numbers->worst_separation.reset(); },
-      [](AsymmetryRecord& a) { a.numbers->worst_point = a.first_verdict; },
-      [](AsymmetryRecord& a) { a.numbers->first_feature.reset(); },
-      [](AsymmetryRecord& a) { a.numbers->lost = 0; }};
+  void (*const edits[])(AsymmetryRecord&) = {[](AsymmetryRecord& a) { a.verdicts = 51; },
+                                             [](AsymmetryRecord& a) { a.verdicts = 0; },
+                                             [](AsymmetryRecord& a) { a.comparisons = 2; },
+                                             [](AsymmetryRecord& a) { a.images_with_comparisons = 51; },
+                                             [](AsymmetryRecord& a) { a.first_comparison.reset(); },
+                                             [](AsymmetryRecord& a) { a.numbers->images = 50; },
+                                             [](AsymmetryRecord& a) { a.numbers->compared = 50; },
+                                             [](AsymmetryRecord& a) { a.numbers->separations = 49; },
+                                             [](AsymmetryRecord& a) { a.numbers->lost = 49; },
+                                             [](AsymmetryRecord& a) { a.numbers->features = 49; },
+                                             [](AsymmetryRecord& a) { a.numbers->largest_angle = 4; },
+                                             [](AsymmetryRecord& a) { a.numbers->largest_angle.reset(); },
+                                             [](AsymmetryRecord& a) { a.numbers->largest_point = 0.5; },
+                                             [](AsymmetryRecord& a) { a.numbers->worst_separation.reset(); },
+                                             [](AsymmetryRecord& a) { a.numbers->worst_point = a.first_verdict; },
+                                             [](AsymmetryRecord& a) { a.numbers->first_feature.reset(); },
+                                             [](AsymmetryRecord& a) { a.numbers->lost = 0; }};
   for (const auto& edit : edits) {
     AsymmetryRecord spoiled = whole;
     edit(spoiled);

@@ -222,7 +222,8 @@ inline Json grown(Json record) {
     const std::uint64_t more = family["contacts"]["answers"].get<std::uint64_t>() +
                                verdict["false_separation"].get<std::uint64_t>() -
                                verdict["decided_contacts"].get<std::uint64_t>();
-    for (Json* count : {&family["trials"], &family["truth"]["contact"], &verdict["decided_contacts"], &verdict["decided"]})
+    for (Json* count :
+         {&family["trials"], &family["truth"]["contact"], &verdict["decided_contacts"], &verdict["decided"]})
       *count = count->get<std::uint64_t>() + more;
   }
   return record;
