@@ -174,8 +174,8 @@ class Forged(CertifyCase):
         def another_truth(counts):
             truth = counts["truth"]
             truth.update(contact=truth.get("contact", 0) + 1, separated=truth["separated"] - 1)
-            verdict = counts["verdict"]
-            verdict.update(decided_contacts=verdict.get("decided_contacts", 0) + 1, decided_separations=verdict["decided_separations"] - 1)
+            for decided in (counts["verdict"], counts["verdict"]["clear"]):
+                decided.update(decided_contacts=decided.get("decided_contacts", 0) + 1, decided_separations=decided["decided_separations"] - 1)
         self.not_valid(with_counts(another_truth, k=1), "the truth of the same queries is another")
 
     def test_an_effort_that_its_plan_is_not(self):
