@@ -61,8 +61,10 @@ class FirstContacts(Case):
         self.assertGreater(general["late"], 0)
 
         def later(kernel):
-            for count in ("late", "judged"):
-                kernel["families"]["moving-sphere/general"]["contacts"]["time"][count] += 1
+            time = kernel["families"]["moving-sphere/general"]["contacts"]["time"]
+            time["late"], time["best"] = time["late"] + 1, time["best"] - 1
+            powers = time["late_errors"]["by_power"]
+            powers[min(powers)] += 1
 
         worse = self.edited(record, later)
         same = axiscert("compare", self.folder / "out", self.folder / "out")
@@ -102,7 +104,10 @@ class FirstContacts(Case):
         def ignores_starts(kernel):
             kernel["motion"]["start"] = "ignored"
             for family in kernel["families"].values():
-                family["contacts"]["time"]["late"], family["contacts"]["time"]["best"] = 0, sum(family["contacts"]["time"][n] for n in ("late", "best"))
+                time = family["contacts"]["time"]
+                time["late"], time["best"] = 0, time["late"] + time["best"]
+                time["late_errors"] = dict.fromkeys(("largest_ulps", "largest_in_u", "largest_share", "largest_length"), 0) | {"by_power": {}}
+                time["late_tunnels"] = {"through": 0, "deepest_tunnel": 0}
                 family["verdict"]["outside_limits"] = dict.fromkeys(
                     ("trials", "decided_contacts", "decided_separations", "decided", "false_separation", "false_contact", "unanswered", "contact",
                      "touching", "deepest"), 0)
