@@ -157,7 +157,9 @@ TEST(VerdictTally, AKernelThatDecidesOneKindHasNoFigureOfTheOther) {
     const Answer answer{said, ComparisonBits{0}};
     const Reference reference{{Verdict::contact, ComparisonBits{0}}, std::nullopt, 0};
     count_numbers(tally, truth, 0, answer, judge(predicate, truth, reference, answer), 1);
-    return json_of(tally.comparisons[0]);
+    ComparisonTally found = tally.comparisons[0];
+    found.judged = tally.with_signs;  // as a record has it
+    return json_of(found);
   };
   const Json none = signs(Verdict::undecided);
   for (const char* figure : {"false_separation", "missed_separation", "masked", "decisive", "links"})
