@@ -152,9 +152,10 @@ ProbeFinding separations(Subject<Real>& subject) {
   }
   std::vector<double> off;
   for (const JudgedContact<Real>& one : all) off.push_back(given(one) - *one.exact.separation);
-  // Of a fault of few queries the median is a rounding, which is no margin.
+  // The median of a fault of few queries is a rounding: no margin, and no factor.
+  const bool are_most_wrong = holds_on_most(wrong, all.size());
   const double margin = median(off);
-  if (holds_on_most(wrong, all.size()) &&
+  if (are_most_wrong &&
       holds_on_most(count([&](const JudgedContact<Real>& one) { return is_off_by(one, margin); }), all.size())) {
     Json numbers = measured;
     numbers["margin"] = margin;
@@ -168,10 +169,10 @@ ProbeFinding separations(Subject<Real>& subject) {
     if (*one.exact.separation != 0) factors.push_back(given(one) / *one.exact.separation);
   }
   const double factor = factors.empty() ? 1 : median(factors);
-  if (holds_on_most(wrong, all.size()) && holds_on_most(count([&](const JudgedContact<Real>& one) {
-                                                          return is_off_by(one, (factor - 1) * *one.exact.separation);
-                                                        }),
-                                                        all.size())) {
+  const auto is_scaled = [&](const JudgedContact<Real>& one) {
+    return is_off_by(one, (factor - 1) * *one.exact.separation);
+  };
+  if (are_most_wrong && holds_on_most(count(is_scaled), all.size())) {
     Json numbers = measured;
     numbers["factor"] = factor;
     return found(Separations::scaled,
@@ -213,7 +214,11 @@ ProbeFinding normals(Subject<Real>& subject) {
                    witness_of(subject, *shown, fmt::format("the normal is {:.3g} radians off", angle(*shown))),
                    measured);
   };
-  constexpr double above_lengths = 1e300;  // directions are shown before lengths
+  const auto no_rule = [&](std::size_t count_wrong) {
+    return found(Normals::wrong,
+                 fmt::format("{} of {} normals on clear queries are wrong, by up to {:.3g} radians: no rule.",
+                             count_wrong, all.size(), angle(*shown)));
+  };
   // A normal of 0 has no direction, and its angle is pi.
   const std::size_t place = *first_measure(subject.predicate(), kind);
   const auto is_zero = [&](const JudgedContact<Real>& one) {
@@ -237,9 +242,7 @@ ProbeFinding normals(Subject<Real>& subject) {
     if (usual > small<Real> && holds_on_most(count(is_usual), all.size()))
       return found(Normals::tilted,
                    fmt::format("Its normals are tilted, by {:.3g} radians and hardly ever more.", usual));
-    return found(Normals::wrong,
-                 fmt::format("{} of {} normals on clear queries are wrong, by up to {:.3g} radians: no rule.", wrong,
-                             all.size(), angle(*shown)));
+    return no_rule(wrong);
   }
   if (usual_length > small<Real>)
     return found(
@@ -260,10 +263,7 @@ ProbeFinding normals(Subject<Real>& subject) {
     return decided(Normals::wrong,
                    fmt::format("{} of {} normals on clear queries go to the other side.", flips, all.size()),
                    witness_of(subject, *std::ranges::find_if(all, is_flip), other_side), measured);
-  if (const std::size_t far = count(is_far); far != 0)
-    return found(Normals::wrong, fmt::format("{} of {} normals on clear queries are wrong, by up to {:.3g} radians: no "
-                                             "rule.",
-                                             far, all.size(), angle(*shown)));
+  if (const std::size_t far = count(is_far); far != 0) return no_rule(far);
   const auto is_uneven = [&](const JudgedContact<Real>& one) { return length(one) > small<Real>; };
   const auto longest = std::ranges::max_element(all, {}, length);
   if (is_uneven(*longest))
@@ -272,20 +272,22 @@ ProbeFinding normals(Subject<Real>& subject) {
                                "{:.3g} of 1.",
                                count(is_uneven), all.size(), length(*longest)),
                    shows_length(*longest), measured);
+  // Flips are shown before other directions, by their angle, and these before lengths.
   std::size_t turned = 0, far = 0, uneven = 0;
   double most_uneven = 0, farthest = 0;
   const auto others = on_families(subject, [&](const JudgedContact<Real>& one) -> std::optional<double> {
     if (!one.found.normal_length_error) return std::nullopt;
-    turned += is_flip(one);
-    if (is_far(one) && !is_flip(one)) {
+    const bool turns = is_flip(one);
+    if (!turns && is_far(one)) {
       ++far;
       farthest = std::max(farthest, one.found.normal_angle.value_or(0));
-      return above_lengths + farthest;
+      return 1 + one.found.normal_angle.value_or(0);
     }
+    turned += turns;
     uneven += is_uneven(one);
     most_uneven = std::max(most_uneven, length(one));
-    if (is_flip(one)) return std::numeric_limits<double>::infinity();  // which is shown before any length
-    return is_uneven(one) ? length(one) : 0;
+    if (turns) return std::numeric_limits<double>::infinity();
+    return is_uneven(one) ? length(one) / (1 + length(one)) : 0;
   });
   if (others.shown)
     return decided(turned + far != 0 ? Normals::wrong : Normals::not_normalised,
