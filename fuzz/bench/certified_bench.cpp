@@ -281,7 +281,8 @@ void measure(const Source& source, const std::string& target, std::span<const Pe
   std::vector<std::vector<Real>> measures(AXISCERT_MOST_MEASURES, std::vector<Real>(query_count));
   std::vector<void*> to_measures;
   for (std::vector<Real>& one : measures) to_measures.push_back(one.data());
-  std::vector<const void*> from(pointers.begin(), pointers.end());
+  const std::vector<const void*> from(pointers.begin(), pointers.end());
+  const axiscert_batch asked{sizeof(axiscert_batch), query_count, coordinate_count, from.data()};
   for (const Peer& peer : peers) {
     if (peer.kernel->precision != 8 * sizeof(Real)) continue;
     axiscert_answers answers{};
@@ -289,17 +290,10 @@ void measure(const Source& source, const std::string& target, std::span<const Pe
     answers.verdict = reinterpret_cast<std::uint8_t*>(verdicts.data());
     answers.measure_count = peer.kernel->measure_count;
     answers.measure = to_measures.data();
-    const auto nanoseconds_of = [&](std::size_t count) {
-      const axiscert_batch asked{sizeof(axiscert_batch), count, coordinate_count, from.data()};
-      return seconds([&] { peer.kernel->run(&asked, &answers); }) / static_cast<double>(count) * 1e9;
-    };
-    // One pass, as of EPICK; over few queries where it would take longer than `enough_seconds`.
-    constexpr std::size_t few = 1024;
-    double taken = nanoseconds_of(few);
-    const bool is_slow = taken * static_cast<double>(query_count) > enough_seconds * 1e9;
-    if (!is_slow) taken = nanoseconds_of(query_count);
-    rows.peers += fmt::format("| {} | {} | {} | {:.1f} ({:.2f}) | {} |\n", source.name(), name(precision_of<Real>),
-                              peer.name, taken, taken / all[7].nanoseconds(), is_slow ? few : query_count);
+    // One pass, as of EPICK.
+    const double taken = seconds([&] { peer.kernel->run(&asked, &answers); }) / double{query_count} * 1e9;
+    rows.peers += fmt::format("| {} | {} | {:.1f} ({:.2f}) |\n", peer.name, name(precision_of<Real>), taken,
+                              taken / all[7].nanoseconds());
   }
 }
 
@@ -339,8 +333,8 @@ void run(std::vector<std::string_view> names) {
       "| family | precision | certified | contacts | one contact |\n"
       "|---|---|---:|---:|---:|\n{}"
       "\nLibraries on `general`, as kernel/peers calls them, verdict and numbers, one pass: (times contacts)\n\n"
-      "| family | precision | library | ns | queries |\n"
-      "|---|---|---|---:|---:|\n{}",
+      "| library | precision | ns |\n"
+      "|---|---|---:|\n{}",
       rows.exact_only, rows.contacts, rows.peers.empty() ? "None was asked.\n" : rows.peers);
   if (names.empty()) print_certified_streams();
 }

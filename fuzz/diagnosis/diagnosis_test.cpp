@@ -216,7 +216,7 @@ TEST(Diagnosis, KnowsNothingOfAKernelThatDecidesSeparationsAlone) {
   }
 }
 
-// What it declines could be otherwise.
+// Its answers to the queries that it declines could be otherwise.
 TEST(Diagnosis, TellsNothingOfRoundingByHalfOfTheAnswers) {
   const auto declining = [](bool by_place) {
     return answered_by(find_kernel("published"), "declining",

@@ -179,7 +179,7 @@ TEST(SearchNumbers, ANumberThatIsNeverGivenWasNotLookedAt) {
   EXPECT_GT(result.judged.at(1), 0u) << "which is given";
 }
 
-// What the run from which it begins judged counts: no find stands beside nothing that was looked at.
+// The run from which it begins counts: no find stands beside nothing that was looked at.
 TEST(SearchNumbers, CountWhatTheFirstRunJudged) {
   SearchPlan plan;
   plan.kernel = &find_kernel("closest-point");

@@ -119,7 +119,7 @@ void KernelScreen<Real>::count_in_bulk(const DecidedBatch<Real>& batch, const st
                           (!bits || bits[i] == signs.strict) && (!is_reference || reference_.shared(i) == signs.strict);
     if (is_clear) clean_.add(axes, 0, false, bits != nullptr);
     counted_[i] = is_clear || count_if_clean(i);
-    // Of what is counted here the verdict is right.
+    // The verdict of what is counted here is right.
     if (counted_[i] && engine_like[i]) ++in_engines.decided_as(is_flat ? verdicts[i] : run_.answer(i).verdict);
   }
   EngineTally& engine = *tally_.verdict.engine;

@@ -14,7 +14,7 @@
 #include "fuzz/text/number_text.h"
 #include "kernel/base/sha256.h"
 #include "reports/certificate/canonical.h"
-#include "reports/run_folder/record_checks.h"
+#include "reports/run_folder/count_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

@@ -15,7 +15,7 @@
 #include "reports/certificate/canonical.h"
 #include "reports/certificate/materials.h"
 #include "reports/certificate/statement.h"
-#include "reports/run_folder/record_checks.h"
+#include "reports/run_folder/count_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 

@@ -68,6 +68,14 @@ constexpr Rule unchecked_rule = {"requirement-not-checked", "", CountOf::verdict
 constexpr Rule unmet_rule = {"requirement-not-met", "", CountOf::verdict, "error",
                              "A level of --require is not met, which no result about a count says."};
 constexpr Rule finding_rule = {"plug-in", "", CountOf::verdict, "error", "A plug-in violated the rules for kernels."};
+constexpr const Rule* other_rules[] = {&finding_rule, &ratchet_rule, &unchecked_rule, &unmet_rule};
+
+// Its place among all rules: those of counts, then the others.
+std::size_t rule_index(const Rule& rule) {
+  const auto other = std::ranges::find(other_rules, &rule);
+  return other == std::end(other_rules) ? static_cast<std::size_t>(&rule - rules)
+                                        : std::size(rules) + static_cast<std::size_t>(other - other_rules);
+}
 
 CountOf counted_in(const Cell& cell) {
   if (cell.place == "verdict") return CountOf::verdict;
@@ -112,8 +120,7 @@ class Log {
   Json json() const {
     Json driver = {{"name", "axiscert"}, {"version", json_of(record_.plan.axiscert)}, {"rules", Json::array()}};
     for (const Rule& rule : rules) driver["rules"].push_back(rule_json(rule));
-    for (const Rule* rule : {&finding_rule, &ratchet_rule, &unchecked_rule, &unmet_rule})
-      driver["rules"].push_back(rule_json(*rule));
+    for (const Rule* rule : other_rules) driver["rules"].push_back(rule_json(*rule));
     Json results = Json::array();
     std::vector<const Cell*> errors;
     for (const Cell& cell : cells_) {
@@ -162,7 +169,7 @@ class Log {
     });
     const Waiver* const waiver = is_unmet ? nullptr : waiver_of(cell);
     Json json = {{"ruleId", rule.id},
-                 {"ruleIndex", &rule == &finding_rule ? std::size(rules) : static_cast<std::size_t>(&rule - rules)},
+                 {"ruleIndex", rule_index(rule)},
                  {"level", is_unmet            ? "error"
                            : waiver != nullptr ? "note"
                                                : rule.level},
@@ -206,6 +213,19 @@ class Log {
     return "";
   }
 
+  // A result of one of other_rules, with its fingerprint of that kind.
+  Json other_result(const Rule& rule, const std::string& text, const char* kind, const std::string& print,
+                    const std::string& kernel, const Json& key, const WitnessRecord* witness = nullptr) const {
+    Json json = {{"ruleId", rule.id},
+                 {"ruleIndex", rule_index(rule)},
+                 {"level", rule.level},
+                 {"message", {{"text", message_text(text)}}},
+                 {"partialFingerprints", {{kind, print}}}};
+    put_places(json, kernel, key, witness);
+    put_suppressions(json, nullptr);
+    return json;
+  }
+
   Json ratchet_result(const RatchetFailure& failure) const {
     Json key = Json::array({failure.kernel, failure.precision, failure.family, failure.cell});
     const WitnessRecord* worst = nullptr;
@@ -215,14 +235,8 @@ class Log {
       key = cell.key();
       break;
     }
-    Json json = {{"ruleId", ratchet_rule.id},
-                 {"ruleIndex", std::size(rules) + 1},
-                 {"level", ratchet_rule.level},
-                 {"message", {{"text", message_text(failure.text)}}},
-                 {"partialFingerprints", {{"axiscertRatchet/v1", failure.fingerprint}}}};
-    put_places(json, failure.kernel, key, worst);
-    put_suppressions(json, nullptr);
-    return json;
+    return other_result(ratchet_rule, failure.text, "axiscertRatchet/v1", failure.fingerprint, failure.kernel, key,
+                        worst);
   }
 
   // "KERNEL [PRECISION]: NOT JUDGED: ..."
@@ -233,27 +247,18 @@ class Log {
       if (who == one || who.starts_with(one + " ")) kernel = one;
     }
     const Json key = Json::array({kernel, "", "", "judged"});
-    Json json = {{"ruleId", unchecked_rule.id},
-                 {"ruleIndex", std::size(rules) + 2},
-                 {"level", unchecked_rule.level},
-                 {"message", {{"text", message_text(sentence)}}},
-                 {"partialFingerprints", {{"axiscertJudged/v1", fingerprint(Json::array({who, "judged"}))}}}};
-    put_places(json, kernel, key, nullptr);
-    put_suppressions(json, nullptr);
-    return json;
+    return other_result(unchecked_rule, sentence, "axiscertJudged/v1", fingerprint(Json::array({who, "judged"})),
+                        kernel, key);
   }
 
   Json unchecked_result(const LevelOutcome& outcome) const {
     const Json key = Json::array({outcome.kernel, outcome.precision, "", "requirement." + outcome.asked.text});
-    Json json = {{"ruleId", unchecked_rule.id},
-                 {"ruleIndex", std::size(rules) + 2},
-                 {"level", outcome.is_allowed ? "note" : unchecked_rule.level},
-                 {"message", {{"text", message_text(outcome.text())}}},
-                 {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
-    put_places(json, outcome.kernel, key, nullptr);
-    put_suppressions(json, nullptr);
-    if (outcome.is_allowed)
+    Json json =
+        other_result(unchecked_rule, outcome.text(), "axiscertRequirement/v1", fingerprint(key), outcome.kernel, key);
+    if (outcome.is_allowed) {
+      json["level"] = "note";
       json["suppressions"].push_back({{"kind", "external"}, {"justification", "--allow-unchecked"}});
+    }
     return json;
   }
 
@@ -294,14 +299,7 @@ class Log {
     }
     if (witness != nullptr) message += " Reproduced by: " + replay_command(*witness, record_.plan);
     const Json key = Json::array({kernel, outcome.precision, family, "requirement." + outcome.asked.text});
-    Json json = {{"ruleId", unmet_rule.id},
-                 {"ruleIndex", std::size(rules) + 3},
-                 {"level", unmet_rule.level},
-                 {"message", {{"text", message_text(message)}}},
-                 {"partialFingerprints", {{"axiscertRequirement/v1", fingerprint(key)}}}};
-    put_places(json, outcome.kernel, key, witness);
-    put_suppressions(json, nullptr);
-    return json;
+    return other_result(unmet_rule, message, "axiscertRequirement/v1", fingerprint(key), outcome.kernel, key, witness);
   }
 
   // Where the kernel is written and, as a related place, the line of the witness in witnesses.jsonl. Without a source

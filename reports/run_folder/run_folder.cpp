@@ -18,6 +18,7 @@
 #include "kernel/base/error.h"
 #include "kernel/names.h"
 #include "reports/run_folder/identity.h"
+#include "reports/run_folder/count_checks.h"
 #include "reports/run_folder/record_checks.h"
 
 namespace axiscert {

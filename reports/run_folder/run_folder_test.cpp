@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "fuzz/text/json_form.h"
-#include "reports/run_folder/record_checks.h"
+#include "reports/run_folder/count_checks.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/testing/test_run.h"
 

@@ -70,7 +70,7 @@ bool is_degenerate(const Query<Real>& q) {
 // on one is counted where its depth is above 16 u; below, it is the rounding of the query's own numbers that decides.
 template <class Real>
 bool is_engine_like(const Query<Real>& q);
-// Of many queries: 1 for one that is, else 0; `all` gets their number.
+// Makes `all` as long as the queries are many, with 1 for one that is, else 0.
 template <class Real>
 void find_engine_like(const QueryColumns<Real>& columns, std::vector<std::uint8_t>& all);
 template <class Real>
