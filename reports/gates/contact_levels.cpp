@@ -1,14 +1,11 @@
 // The levels of the numbers beside a verdict: early, separation, feature, normal, unit, no-flip, left and point.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "fuzz/text/number_text.h"
-#include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -25,17 +22,8 @@ constexpr NumberBound displacement_bound = {"U",
                                           1},
                       angle_bound = {"DEG", "an angle in degrees, from 0 to 180", "0.1", 0, 180},
                       length_bound = {"E", "a difference from the length 1, from 0 to 1", "0.001", 0, 1},
-                      left_bound = {"F", "a share of the depth, from 0 to 2, of at most six digits", "0.001", 0, 2};
-
-// The record has six digits of what is left, rounded up.
-double left_argument(const AskedLevel& asked) {
-  const double most = number_argument(asked, left_bound);
-  if (fmt::format("{:.6g}", most) != fmt::format("{}", most)) {
-    throw Error(fmt::format("requirement '{}': F is {}, as in {}={}", asked.text, left_bound.what, asked.name,
-                            left_bound.example));
-  }
-  return most;
-}
+                      left_bound = {"F", "a share of the depth, from 0 to 2, of at most six digits", "0.001", 0, 2,
+                                    true};
 
 // How many answers of a family have the number that a level is about, and how many have none though there is one.
 // `nowhere`: those of `none` that have a normal of length 0.
@@ -274,7 +262,7 @@ LevelFindings judge_no_flip(const AskedLevel&, const Subject& subject) {
 }
 
 LevelFindings judge_left(const AskedLevel& asked, const Subject& subject) {
-  const double most = left_argument(asked);
+  const double most = number_argument(asked, left_bound);
   LevelFindings found = look_at_pushed(subject, counts_of(&ContactTally::pushed));
   for_each_part(subject, &ContactTally::pushed, [&](const std::string& family, const PushTally& pushed) {
     const double left = pushed.largest_left.best().value();
@@ -387,11 +375,11 @@ extern const GateLevel no_flip_level = {
 extern const GateLevel left_level = {
     .usage = "left=F",
     .meaning = "no normal along which a push by the exact depth leaves more than F of it",
-    .check = [](const AskedLevel& asked) { left_argument(asked); },
+    .check = [](const AskedLevel& asked) { number_argument(asked, left_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no normal along which a push by the exact depth leaves more than {} of it",
-                             left_argument(asked));
+                             number_argument(asked, left_bound));
         },
     .judge = judge_left,
     .in_certificates = shares};

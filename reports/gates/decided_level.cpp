@@ -2,9 +2,6 @@
 // of each family. Beside other levels it names the share that these ask for.
 #include <fmt/format.h>
 
-#include <charconv>
-
-#include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/wording/summary.h"
 
@@ -12,16 +9,10 @@ namespace axiscert {
 namespace {
 
 double decided_argument(const AskedLevel& asked) {
-  double share = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, share);
-  if (problem != std::errc() || stop != end || !(share > 0 && share <= 1)) {
-    throw Error(
-        fmt::format("requirement '{}': SHARE is the part of the contacts, and of the separations, of each family "
-                    "that has to be decided: above 0 and at most 1, as in {}=0.9",
-                    asked.text, asked.name));
-  }
-  return share;
+  return number_argument(asked, {"SHARE",
+                                 "the part of the contacts, and of the separations, of each family that has to be "
+                                 "decided: above 0 and at most 1",
+                                 "0.9", above_0, 1});
 }
 
 LevelFindings judge_decided(const AskedLevel& asked, const Subject& subject) {

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <vector>
 
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
-#include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -17,13 +15,7 @@ namespace axiscert {
 namespace {
 
 double most_difference(const AskedLevel& asked) {
-  double most = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, most);
-  if (problem == std::errc() && stop == end && most >= 0 && most <= 1) return most;
-  throw Error(
-      fmt::format("requirement '{}': E is a share of the extent, and an angle in radians, from 0 to 1, as in {}=0.001",
-                  asked.text, asked.name));
+  return number_argument(asked, {"E", "a share of the extent, and an angle in radians, from 0 to 1", "0.001", 0, 1});
 }
 
 // The families of the run's predicate whose images are maps of places.

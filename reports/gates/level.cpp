@@ -184,7 +184,9 @@ double number_argument(const AskedLevel& asked, const NumberBound& bound) {
   double number = 0;
   const char* const end = asked.argument.data() + asked.argument.size();
   const auto [stop, problem] = std::from_chars(asked.argument.data(), end, number);
-  if (problem == std::errc() && stop == end && number >= bound.least && number <= bound.most) return number;
+  const bool is_too_fine = bound.has_six_digits && fmt::format("{:.6g}", number) != fmt::format("{}", number);
+  if (problem == std::errc() && stop == end && number >= bound.least && number <= bound.most && !is_too_fine)
+    return number;
   throw Error(fmt::format("requirement '{}': {} is {}, as in {}={}", asked.text, bound.letter, bound.what, asked.name,
                           bound.example));
 }

@@ -188,7 +188,9 @@ std::vector<const GateLevel*> badge_levels();
 struct NumberBound {
   const char *letter, *what, *example;
   double least, most;
+  bool has_six_digits = false;  // at most: the record has no more of what is compared with it
 };
+inline constexpr double above_0 = std::numeric_limits<double>::denorm_min();
 // The argument, in the number's own unit or as a length in metres.
 struct SizeLimit {
   double most;

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
-
 #include "fuzz/text/number_text.h"
 #include "kernel/base/error.h"
 #include "reports/gates/level.h"
@@ -17,19 +15,8 @@ constexpr double whole_radius = 1;
 
 double tunnel_argument(const AskedLevel& asked) {
   if (!asked.has_argument) return whole_radius;
-  double tunnel = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, tunnel);
-  // The record has six digits of the deepest tunnel, rounded down.
-  const bool has_more_digits =
-      problem == std::errc() && tunnel > 0 && fmt::format("{:.6g}", tunnel) != fmt::format("{}", tunnel);
-  if (problem != std::errc() || stop != end || !(tunnel > 0 && tunnel <= 1) || has_more_digits) {
-    throw Error(
-        fmt::format("requirement '{}': F is a share of the radius, above 0 and at most 1, of at most six digits, "
-                    "as in {}=0.5",
-                    asked.text, asked.name));
-  }
-  return tunnel;
+  return number_argument(asked, {"F", "a share of the radius, above 0 and at most 1, of at most six digits", "0.5",
+                                 above_0, whole_radius, true});
 }
 
 // Why times cannot be judged: the predicate has none, or the kernel gives none, or there was no hit.

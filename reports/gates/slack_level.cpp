@@ -3,12 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 
 #include "fuzz/confirm/slack.h"
 #include "fuzz/text/number_text.h"
-#include "kernel/base/error.h"
 #include "reports/gates/level.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
@@ -23,17 +21,10 @@ struct SlackSize {
 };
 
 SlackSize size_argument(const AskedLevel& asked) {
-  if (const auto length = length_in_metres(asked.argument)) return {SlackKind::absolute, *length};
-  double size = 0;
-  const char* const end = asked.argument.data() + asked.argument.size();
-  const auto [stop, problem] = std::from_chars(asked.argument.data(), end, size);
-  if (problem != std::errc() || stop != end || !(size > 0 && size <= 1e6)) {
-    throw Error(
-        fmt::format("requirement '{}': SIZE is a part of a length above 0, as in {}=1e-4, or a length in {}, as in "
-                    "{}=1mm",
-                    asked.text, asked.name, fmt::join(length_unit_names(), ", "), asked.name));
-  }
-  return {SlackKind::relative, size};
+  static const std::string what = fmt::format("a part of a length above 0, as in no-slack=1e-4, or a length in {}",
+                                              fmt::join(length_unit_names(), ", "));
+  const SizeLimit size = size_limit(asked, {"SIZE", what.c_str(), "1mm", above_0, 1e6});
+  return {size.is_length ? SlackKind::absolute : SlackKind::relative, size.most};
 }
 
 std::string size_text(const SlackSize& size) {
