@@ -308,7 +308,6 @@ constexpr std::string_view in_u[] = {"64"}, shares[] = {"0.001"}, degrees[] = {"
 extern const GateLevel early_level = {
     .usage = "early=U",
     .meaning = "no time before the best one by more than U, u of the displacement or a length of the way such as 1mm",
-    .check = [](const AskedLevel& asked) { size_limit(asked, displacement_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           const SizeLimit bound = size_limit(asked, displacement_bound);
@@ -324,7 +323,6 @@ extern const GateLevel separation_level = {
     .meaning =
         "no separation off by more than E, a share of the scene or a length such as 1mm, and none that "
         "contradicts its verdict",
-    .check = [](const AskedLevel& asked) { size_limit(asked, separation_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no separation that is off by more than {}, contradicts its verdict, or is missing",
@@ -336,10 +334,6 @@ extern const GateLevel separation_level = {
 extern const GateLevel feature_level = {
     .usage = "feature[=D]",
     .meaning = "no wrong feature; with D, none but where the centre is within D of the scene of its region",
-    .check =
-        [](const AskedLevel& asked) {
-          if (asked.has_argument) number_argument(asked, scene_bound);
-        },
     .sentence = feature_sentence,
     .judge = judge_feature,
     .in_certificates = shares};
@@ -347,7 +341,6 @@ extern const GateLevel feature_level = {
 extern const GateLevel normal_level = {
     .usage = "normal=DEG",
     .meaning = "no normal off by more than DEG degrees, where there is a single exact one, and none missing",
-    .check = [](const AskedLevel& asked) { number_argument(asked, angle_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no normal that is missing, or off by more than {} degrees",
@@ -358,7 +351,6 @@ extern const GateLevel normal_level = {
 
 extern const GateLevel unit_level = {.usage = "unit=E",
                                      .meaning = "no normal that is longer or shorter than 1 by more than E",
-                                     .check = [](const AskedLevel& asked) { number_argument(asked, length_bound); },
                                      .sentence =
                                          [](const AskedLevel& asked) {
                                            return fmt::format(
@@ -369,13 +361,12 @@ extern const GateLevel unit_level = {.usage = "unit=E",
                                      .in_certificates = shares};
 
 extern const GateLevel no_flip_level = {
-    "no-flip", "no normal to the other side, along which a push by the depth does not part the two", accept_no_argument,
+    "no-flip", "no normal to the other side, along which a push by the depth does not part the two",
     [](const AskedLevel&) { return std::string("no normal to the other side"); }, judge_no_flip};
 
 extern const GateLevel left_level = {
     .usage = "left=F",
     .meaning = "no normal along which a push by the exact depth leaves more than F of it",
-    .check = [](const AskedLevel& asked) { number_argument(asked, left_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no normal along which a push by the exact depth leaves more than {} of it",
@@ -387,7 +378,6 @@ extern const GateLevel left_level = {
 extern const GateLevel point_level = {
     .usage = "point=D",
     .meaning = "no point of contact off by more than D of the scene, and none missing",
-    .check = [](const AskedLevel& asked) { number_argument(asked, scene_bound); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no point of contact that is missing, or off by more than {} of the scene",

@@ -44,7 +44,6 @@ extern const GateLevel decided_level = {
     .meaning =
         "at least SHARE of the contacts and of the separations of each family decided, and other levels ask "
         "for that share in place of 0.5",
-    .check = [](const AskedLevel& asked) { decided_argument(asked); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("at least {} of the exact contacts, and of the exact separations, of each family decided",

@@ -52,9 +52,6 @@ LevelFindings judge_to_depth(const Subject& subject, const AllowedDepths& allowe
   return found;
 }
 
-void check_conservative(const AskedLevel& asked) {
-  if (asked.has_argument) depth_argument(asked);
-}
 AllowedDepths conservative_depths(const AskedLevel& asked) {
   if (!asked.has_argument) return {no_wrong, any_depth};
   const SizeLimit limit = depth_argument(asked);
@@ -99,7 +96,6 @@ std::string conservative_sentence(const AskedLevel& asked) {
 
 extern const GateLevel exact_level = {.usage = "exact",
                                       .meaning = "no wrong verdict",
-                                      .check = accept_no_argument,
                                       .sentence = [](const AskedLevel&) { return std::string("no wrong verdict"); },
                                       .judge =
                                           [](const AskedLevel&, const Subject& subject) {
@@ -117,7 +113,6 @@ extern const GateLevel exact_level = {.usage = "exact",
 extern const GateLevel conservative_level = {
     .usage = "conservative[=D]",
     .meaning = "no missed contact, no phantom contact deeper than D",
-    .check = check_conservative,
     .sentence = conservative_sentence,
     .judge = judge_conservative,
     .allowed = conservative_depths,
@@ -128,7 +123,6 @@ extern const GateLevel conservative_level = {
 extern const GateLevel depth_level = {
     .usage = "depth=D",
     .meaning = "no wrong verdict deeper than D, a share of the scene or a length such as 1mm, either way",
-    .check = [](const AskedLevel& asked) { depth_argument(asked); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("no wrong verdict deeper than {}, either way", depth_argument(asked).text());

@@ -95,7 +95,6 @@ constexpr std::string_view certified_share[] = {"0.001"};
 extern const GateLevel follows_level = {
     .usage = "follows=E",
     .meaning = "no number beside the verdict on an exact image of a query that is off by more than E from the query's",
-    .check = [](const AskedLevel& asked) { most_difference(asked); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format(

@@ -173,7 +173,6 @@ extern const GateLevel invariant_level = {
     .meaning =
         "no verdict that changes with KIND: order, axes, mirror, scale, translation, reversal, split, halving, swap or "
         "turn",
-    .check = [](const AskedLevel& asked) { kind_of(asked); },
     .sentence =
         [](const AskedLevel& asked) {
           return fmt::format("the same verdict on the same query {}", kind_words[kind_of(asked)]);

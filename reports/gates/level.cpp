@@ -202,6 +202,4 @@ SizeLimit depth_argument(const AskedLevel& asked) {
   return size_limit(asked, {"D", what.c_str(), "1mm", 0, any_depth});
 }
 
-void accept_no_argument(const AskedLevel&) {}
-
 }  // namespace axiscert

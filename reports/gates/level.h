@@ -147,9 +147,8 @@ inline constexpr std::string_view no_arguments[] = {""}, visible_depths[] = {"0.
 struct GateLevel {
   const char* usage;    // "conservative[=D]": the name, then how an argument is given where it takes one
   const char* meaning;  // one line for lists and --help
-  // Checks the argument, which is there only where `usage` has one. Throws Error that says what would be right.
-  void (*check)(const AskedLevel&);
-  // States the requirement, for a report: "no missed contact".
+  // States the requirement, for a report: "no missed contact". The argument is there only where `usage` has one; throws
+  // Error that says what would be right.
   std::string (*sentence)(const AskedLevel&);
   LevelFindings (*judge)(const AskedLevel&, const Subject&);
   // The kernel that others are measured against, which itself has to meet no level; null where there is none.
@@ -202,6 +201,5 @@ struct SizeLimit {
 double number_argument(const AskedLevel& asked, const NumberBound& bound);
 SizeLimit size_limit(const AskedLevel& asked, const NumberBound& bound);
 SizeLimit depth_argument(const AskedLevel& asked);
-void accept_no_argument(const AskedLevel& asked);  // for levels that take none: the parser has refused it already
 
 }  // namespace axiscert

@@ -192,7 +192,6 @@ LevelFindings logic_findings(const Subject& subject) {
 extern const GateLevel logic_level = {
     .usage = "logic",
     .meaning = "no wrong verdict but by rounding or range: the method is right, and so is the code",
-    .check = accept_no_argument,
     .sentence = logic_sentence,
     .judge = judge_logic,
     .is_about_causes = true,
@@ -244,7 +243,6 @@ LevelFindings judge_range(const AskedLevel&, const Subject& subject) {
 
 extern const GateLevel range_level = {.usage = "range",
                                       .meaning = "no wrong verdict but by rounding",
-                                      .check = accept_no_argument,
                                       .sentence = range_sentence,
                                       .judge = judge_range,
                                       .is_about_causes = true};

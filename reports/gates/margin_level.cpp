@@ -51,7 +51,6 @@ LevelFindings judge_keeps_margin(const AskedLevel&, const Subject& subject) {
 extern const GateLevel keeps_margin_level = {
     .usage = "keeps-margin",
     .meaning = "contact wherever the two are apart by no more than the margin that the kernel declares",
-    .check = accept_no_argument,
     .sentence =
         [](const AskedLevel&) {
           return std::string("contact wherever the two are apart by no more than the margin that the kernel declares");

@@ -151,7 +151,6 @@ std::string no_tunnel_sentence(const AskedLevel& asked) {
 
 extern const GateLevel never_late_level = {
     "never-late[=LENGTH]", "no time after the first contact, or none by more than a LENGTH of the way such as 1mm",
-    [](const AskedLevel& asked) { late_argument(asked); },
     [](const AskedLevel& asked) {
       return "no time of contact after the exact first contact" +
              (asked.has_argument ? fmt::format(" by more than {} of the way", metric_text(late_argument(asked))) : "");
@@ -160,6 +159,6 @@ extern const GateLevel never_late_level = {
 
 extern const GateLevel no_tunnel_level = {
     "no-tunnel[=F]", "no missed contact and no late time that tunnels by F of the radius (default 1) or more",
-    [](const AskedLevel& asked) { tunnel_argument(asked); }, no_tunnel_sentence, judge_no_tunnel};
+    no_tunnel_sentence, judge_no_tunnel};
 
 }  // namespace axiscert

@@ -12,12 +12,6 @@
 namespace axiscert {
 namespace {
 
-void check_other(const AskedLevel& asked) {
-  if (asked.argument.empty())
-    throw Error(fmt::format("requirement '{}': it is written no-worse-than=KERNEL, KERNEL as it is given to --kernel",
-                            asked.text));
-}
-
 // A count of this kernel beside the other's on the same queries.
 struct Pair {
   Cell mine, others;
@@ -112,9 +106,11 @@ LevelFindings judge_no_worse_than(const AskedLevel& asked, const Subject& subjec
 extern const GateLevel no_worse_than_level = {
     .usage = "no-worse-than=KERNEL",
     .meaning = "on no family more wrong verdicts than that kernel of the run",
-    .check = check_other,
     .sentence =
         [](const AskedLevel& asked) {
+          if (asked.argument.empty())
+            throw Error(fmt::format(
+                "requirement '{}': it is written no-worse-than=KERNEL, KERNEL as it is given to --kernel", asked.text));
           return fmt::format("on no family more missed or phantom contacts than {}, beyond what chance explains",
                              asked.argument);
         },

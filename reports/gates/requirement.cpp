@@ -258,7 +258,7 @@ AskedLevel parse_level(const std::string& text) {
   if (!asked.families.empty() && level->asks_itself)
     throw Error(fmt::format("requirement '{}': {} looks at queries of its own, not at families; leave out `in {}`",
                             text, asked.name, fmt::join(asked.families, ",")));
-  level->check(asked);
+  level->sentence(asked);  // which refuses a wrong argument
   return asked;
 }
 

@@ -123,7 +123,6 @@ extern const GateLevel no_slack_level = {
     .meaning =
         "no answers as if a shape or motion were larger or smaller by more than SIZE, a part of a length, or of "
         "the queries' unit where SIZE is in m, cm, mm, um, in or ft (the unit is taken for a metre)",
-    .check = [](const AskedLevel& asked) { size_argument(asked); },
     .sentence = slack_sentence,
     .judge = judge_slack,
     .asks_itself = true,
