@@ -282,47 +282,42 @@ DataTable maps_rows(const Json& data) {
   return table;
 }
 
-DataTable mutation_by_verdict_rows(const Json& data) {
-  return listed_rows(data["mutants"], with_columns_of<JudgedMutantData>({}));
-}
-
-DataTable families_rows(const Json& data) { return listed_rows(data["families"], with_columns_of<ListedFamily>({})); }
-
-DataTable proofs_rows(const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }
-
-DataTable predicates_rows(const Json& data) {
-  return listed_rows(data["predicates"], with_columns_of<ListedPredicate>({}));
-}
-
 struct NamedTable {
   std::string_view name;  // axiscert-NAME/1 is the schema
   DataTable (*table)(const Json&);
 };
-constexpr std::array named_tables = {
-    NamedTable{"ladder", ladder_rows},
-    NamedTable{"precision", precision_rows},
-    NamedTable{"condition", condition_rows},
-    NamedTable{"critical-radius", critical_radius_rows},
-    NamedTable{"league", league_rows},
-    NamedTable{"search", search_rows},
-    NamedTable{"diagnosis", diagnosis_rows},
-    NamedTable{"maps", maps_rows},
-    NamedTable{"mutation-by-verdict", mutation_by_verdict_rows},
-    NamedTable{"families", families_rows},
-    NamedTable{"predicates", predicates_rows},
-    NamedTable{"proofs", proofs_rows},
-};
-
-// Those whose rows are the elements of a member as they are.
-struct ListedTable {
-  std::string_view name, rows, columns;
-};
-constexpr std::array listed_tables = {
-    ListedTable{"mutation", "mutants",
-                "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
-                "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"},
-    ListedTable{"mutation-of-certified", "steps", "step precision mutants shown equivalent by_the_recording_alone"},
-    ListedTable{"kernels", "kernels", "id summary predicate entry formulae precisions targets exposes source"},
+constexpr NamedTable named_tables[] = {
+    {"ladder", ladder_rows},
+    {"precision", precision_rows},
+    {"condition", condition_rows},
+    {"critical-radius", critical_radius_rows},
+    {"league", league_rows},
+    {"search", search_rows},
+    {"diagnosis", diagnosis_rows},
+    {"maps", maps_rows},
+    {"mutation-by-verdict",
+     [](const Json& data) { return listed_rows(data["mutants"], with_columns_of<JudgedMutantData>({})); }},
+    {"families", [](const Json& data) { return listed_rows(data["families"], with_columns_of<ListedFamily>({})); }},
+    {"predicates",
+     [](const Json& data) { return listed_rows(data["predicates"], with_columns_of<ListedPredicate>({})); }},
+    {"proofs", [](const Json& data) { return listed_rows(data["bounds"], with_columns_of<ProvedBoundData>({})); }},
+    {"mutation",
+     [](const Json& data) {
+       return listed_rows(
+           data["mutants"],
+           columns_in(
+               "id precision fault where what caught.family caught.queries caught.address caught.kind caught.depth "
+               "caught_by_formulae_alone.family caught_by_formulae_alone.queries equivalent"));
+     }},
+    {"mutation-of-certified",
+     [](const Json& data) {
+       return listed_rows(data["steps"], columns_in("step precision mutants shown equivalent by_the_recording_alone"));
+     }},
+    {"kernels",
+     [](const Json& data) {
+       return listed_rows(data["kernels"],
+                          columns_in("id summary predicate entry formulae precisions targets exposes source"));
+     }},
 };
 
 }  // namespace
@@ -331,10 +326,6 @@ std::string csv_of(const Json& data) {
   const std::string schema = data.at("schema");
   for (const NamedTable& named : named_tables) {
     if (schema.starts_with(fmt::format("axiscert-{}/", named.name))) return csv_text(named.table(data));
-  }
-  for (const ListedTable& listed : listed_tables) {
-    if (schema.starts_with(fmt::format("axiscert-{}/", listed.name)))
-      return csv_text(listed_rows(data[std::string(listed.rows)], columns_in(listed.columns)));
   }
   throw std::logic_error(schema + " has no table");
 }
