@@ -14,6 +14,7 @@
 #include "fuzz/queries/family.h"
 #include "fuzz/text/json_form.h"
 #include "reports/certificate/statement.h"
+#include "reports/run_folder/identity.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/causes.h"
 #include "reports/wording/everyday.h"
@@ -40,11 +41,10 @@ std::vector<WrongVerdicts> wrong_situations(const Record& record, const std::str
   std::vector<const Situation*> in_order(situations->of_families.begin(), situations->of_families.end());
   in_order.insert(in_order.end(), {&of_corpus, &situations->own});
   for (const Situation* situation : in_order) {
-    for (const KernelRecord& entry : record.kernels) {
-      if (entry.id != kernel) continue;
-      WrongVerdicts wrong{situation, entry.precision};
+    for (const KernelRecord* entry : precision_entries(record, kernel)) {
+      WrongVerdicts wrong{situation, entry->precision};
       std::vector<std::pair<double, std::string>> families;  // by their deepest
-      for (const auto& [family, result] : entry.families) {
+      for (const auto& [family, result] : entry->families) {
         const VerdictTally& verdict = result.verdict;
         if (situation_of(predicate, family) != situation) continue;
         if (verdict.false_separation + verdict.false_contact == 0) continue;
@@ -206,12 +206,11 @@ std::optional<BreakStatement> what_breaks_first(const Record& record, const std:
   for (const bool missed : {true, false}) {
     std::optional<Cause> deepest;
     std::optional<Precision> precision;
-    for (const KernelRecord& entry : record.kernels) {
-      if (entry.id != kernel) continue;
-      const std::optional<Cause> cause = deepest_cause(record, entry, missed);
+    for (const KernelRecord* entry : precision_entries(record, kernel)) {
+      const std::optional<Cause> cause = deepest_cause(record, *entry, missed);
       if (!cause || (deepest && cause->deepest <= deepest->deepest)) continue;
       deepest = cause;
-      precision = entry.precision;
+      precision = entry->precision;
     }
     if (!deepest) continue;
     // Where only the verdict is seen, the situation says more than that nothing is known.

@@ -1,7 +1,6 @@
 #include "reports/certificate/derived.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "reports/certificate/canonical.h"
 #include "reports/certificate/statement.h"
 #include "reports/wording/evidence.h"
+#include "reports/run_folder/identity.h"
 #include "reports/run_folder/run_folder.h"
 #include "reports/wording/summary.h"
 
@@ -28,17 +28,9 @@ namespace {
 
 constexpr const char* effort_of_replies = "replies";
 
-std::vector<const KernelRecord*> entries_of(const Record& record, const std::string& kernel) {
-  std::vector<const KernelRecord*> entries;
-  for (const KernelRecord& entry : record.kernels) {
-    if (entry.id == kernel) entries.push_back(&entry);
-  }
-  return entries;
-}
-
 // The kernel with what it promises and shows, as its entries of the record have it.
 void put_kernel(KernelStatement& kernel, const Record& record) {
-  const std::vector<const KernelRecord*> entries = entries_of(record, kernel.id);
+  const std::vector<const KernelRecord*> entries = precision_entries(record, kernel.id);
   const KernelRecord& entry = *entries.front();
   kernel.precisions.clear();
   for (const KernelRecord* each : entries) kernel.precisions.push_back(each->precision);
@@ -53,7 +45,7 @@ void put_kernel(KernelStatement& kernel, const Record& record) {
 AskedStatement asked_of(const CertificatePredicate& predicate, const Record& record) {
   Evidence all;
   std::uint64_t queries = 0;
-  for (const KernelRecord* entry : entries_of(record, predicate.kernel.id)) {
+  for (const KernelRecord* entry : precision_entries(record, predicate.kernel.id)) {
     all.add(evidence_of(*entry));
     for (const auto& [family, result] : entry->families) queries += result.trials;
   }
@@ -237,7 +229,7 @@ bool breaks_by_link(const std::optional<BreakStatement>& stated, const std::opti
     return false;
   bool is_any_missed = false, is_any_phantom = false, is_there = false;
   const bool is_missed = stated && stated->what == "missed contact";
-  for (const KernelRecord* entry : entries_of(record, kernel)) {
+  for (const KernelRecord* entry : precision_entries(record, kernel)) {
     const auto total = all_families(*entry);
     if (!total) continue;
     const VerdictTally& verdict = total->verdict;
@@ -282,7 +274,7 @@ void require_margins(const CertificatePredicate& predicate, const Record& record
     }
     return;
   }
-  const std::vector<const KernelRecord*> entries = entries_of(record, predicate.kernel.id);
+  const std::vector<const KernelRecord*> entries = precision_entries(record, predicate.kernel.id);
   if (margins.size() != entries.size())
     throw NotValid(fmt::format("{}: it has safe margins of {} of {} precisions", name, margins.size(), entries.size()));
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -341,7 +333,7 @@ Record require_derived(const CertificatePredicate& predicate, const std::string&
 }
 
 bool has_answers(const Record& record, const std::string& kernel) {
-  return std::ranges::all_of(entries_of(record, kernel),
+  return std::ranges::all_of(precision_entries(record, kernel),
                              [](const KernelRecord* entry) { return evidence_of(*entry).decided() != 0; });
 }
 

@@ -12,6 +12,7 @@
 #include "kernel/base/error.h"
 #include "reports/certificate/margin.h"
 #include "reports/gates/level.h"
+#include "reports/run_folder/identity.h"
 #include "reports/wording/everyday.h"
 #include "reports/wording/summary.h"
 
@@ -94,9 +95,8 @@ class CertificatePage {
   std::vector<std::pair<Precision, std::vector<std::string>>> told_of_precisions() const {
     std::vector<std::pair<Precision, std::vector<std::string>>> told;
     if (record_ == nullptr) return told;
-    for (const KernelRecord& kernel : record_->kernels)
-      if (kernel.id == predicate_.kernel.id)
-        told.emplace_back(kernel.precision, first_sentences(kernel, record_->plan));
+    for (const KernelRecord* kernel : precision_entries(*record_, predicate_.kernel.id))
+      told.emplace_back(kernel->precision, first_sentences(*kernel, record_->plan));
     return told;
   }
 

@@ -66,21 +66,6 @@ std::string KernelPairs::reason(const ComparedKernel& kernel) const {
   return "";
 }
 
-std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id) {
-  std::vector<const KernelRecord*> entries;
-  for (const KernelRecord& kernel : record.kernels) {
-    if (kernel.id == id) entries.push_back(&kernel);
-  }
-  return entries;
-}
-
-const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision) {
-  for (const KernelRecord* entry : precision_entries(record, id)) {
-    if (entry->precision == precision) return entry;
-  }
-  return nullptr;
-}
-
 namespace {
 
 // The names of a kernel's measures, by precision; none in a record of a predicate or of a version without them.

@@ -29,11 +29,6 @@ class KernelPairs {
   std::vector<ComparedKernel> kernels_;  // OLD's, then those that only NEW has
 };
 
-// The entries of a kernel in a record, one for each precision in which it was run.
-std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id);
-// That of one precision; null where there is none.
-const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision);
-
 // Measures that a kernel gives in one of two runs alone.
 
 // Adds an entry for each precision that both runs judged: one that fails where OLD gave more, so that something is not

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reports/gates/enough.h"
+#include "reports/run_folder/identity.h"
 #include "reports/wording/evidence.h"
 #include "reports/wording/summary.h"
 
@@ -69,16 +70,15 @@ std::vector<std::string> unjudged(const Record& record) {
     }
     for (const UntakenLines& lines : lines_it_cannot_take(record, id))
       sentences.push_back(fmt::format("{}: NOT JUDGED on {}", id, lines.text()));
-    for (const KernelRecord& kernel : record.kernels) {
-      if (kernel.id != id) continue;
-      std::vector<std::string> here = without_valid(kernel);
+    for (const KernelRecord* kernel : precision_entries(record, id)) {
+      std::vector<std::string> here = without_valid(*kernel);
       std::erase_if(here, [&](const std::string& family) { return std::ranges::find(empty, family) != empty.end(); });
       if (!here.empty()) {
         sentences.push_back(fmt::format("{} {}: NOT JUDGED on {}: none of its queries is valid", id,
-                                        name(kernel.precision), fmt::join(here, ", ")));
+                                        name(kernel->precision), fmt::join(here, ", ")));
       }
-      if (const std::string why = nothing_of(kernel); !why.empty())
-        sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", id, name(kernel.precision), why));
+      if (const std::string why = nothing_of(*kernel); !why.empty())
+        sentences.push_back(fmt::format("{} {}: NOT JUDGED: {}", id, name(kernel->precision), why));
     }
   }
   return sentences;

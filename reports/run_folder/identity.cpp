@@ -70,6 +70,21 @@ std::pair<Identities, Identities> identities_of(const Record& before, const Reco
   return {identities(before, shared), identities(after, shared)};
 }
 
+std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id) {
+  std::vector<const KernelRecord*> entries;
+  for (const KernelRecord& kernel : record.kernels) {
+    if (kernel.id == id) entries.push_back(&kernel);
+  }
+  return entries;
+}
+
+const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision) {
+  for (const KernelRecord* entry : precision_entries(record, id)) {
+    if (entry->precision == precision) return entry;
+  }
+  return nullptr;
+}
+
 std::string digest_change(const Digests& before, const Digests& after) {
   if (before.empty() || after.empty() || before == after) return "";
   std::vector<std::string> parts;

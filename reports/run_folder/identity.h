@@ -22,6 +22,11 @@ Identities identities_of(const Record& record);
 // those who declare it are known by their ids.
 std::pair<Identities, Identities> identities_of(const Record& before, const Record& after);
 
+// The entries of a kernel in a record, one for each precision in which it was run.
+std::vector<const KernelRecord*> precision_entries(const Record& record, const std::string& id);
+// That of one precision; null where there is none.
+const KernelRecord* precision_entry(const Record& record, const std::string& id, Precision precision);
+
 // The digests of a kernel's files in a record; empty where it has none, or the record does not have the kernel.
 using Digests = std::vector<DigestRecord>;
 Digests digests_of(const Record& record, const std::string& id);
