@@ -48,17 +48,16 @@ class CertificatePage {
       for (std::string& note : margin_notes(margin)) report.notes.push_back(std::move(note));
     if (predicate_.safe_margin.precisions.empty())
       report.notes.push_back(fmt::format("Safe margin: NOT CHECKED: {}.", predicate_.safe_margin.reason.value_or("")));
-    if (InstrumentTable table = situations_table(predicate_); !table.rows.empty())
-      report.tables.push_back(std::move(table));
+    report.add(situations_table(predicate_));
     report.tables.push_back(levels_table());
-    if (InstrumentTable table = unchecked_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    if (InstrumentTable table = margin_table(predicate_.safe_margin); !table.rows.empty())
-      report.tables.push_back(std::move(table));
-    if (InstrumentTable table = witnesses_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    report.add(unchecked_table());
+    report.add(margin_table(predicate_.safe_margin));
+    report.add(witnesses_table());
     report.tables.push_back(limits_table());
     report.tables.push_back(comparison_table());
-    for (InstrumentTable table : {diagnosis_table(), search_table(), harness_table()})
-      if (!table.rows.empty()) report.tables.push_back(std::move(table));
+    report.add(diagnosis_table());
+    report.add(search_table());
+    report.add(harness_table());
     report.tables.push_back(materials_table());
     report.data = json_of(statement_);
     return report;

@@ -40,11 +40,8 @@ std::string asked_sentence(const CertificatePredicate& predicate) {
 std::string looked_sentence(const CertificatePredicate& predicate) {
   const LeftOutStatement& out = predicate.asked.left_out;
   std::vector<std::string> parts;
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count != 0) parts.push_back(fmt::format("{} {}", thousands(count), what));
-  };
-  add(out.outside_limits, "outside its limits");
-  add(out.touching, "touching, of which it promises nothing");
+  add_count(parts, out.outside_limits, "outside its limits");
+  add_count(parts, out.touching, "touching, of which it promises nothing");
   const auto without_verdict = no_verdict_words({out.declined, out.invalid, out.unanswered});
   parts.insert(parts.end(), without_verdict.begin(), without_verdict.end());
   std::string text = fmt::format("{} looked at; left out: {}", thousands(predicate.asked.looked_at),

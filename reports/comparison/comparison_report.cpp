@@ -246,12 +246,14 @@ InstrumentReport comparison_report(const ComparedRuns& runs, const RunComparison
   report.command = compare_command(runs.before_name, runs.after_name);
   for (const std::string& name : comparison.allowed) report.command += " --allow-not-compared " + shell_word(name);
   report.notes = notes(runs, comparison);
-  for (InstrumentTable& table : std::vector<InstrumentTable>{
-           promises_table(comparison), cells_table("New and worse", comparison, true), replay_table(comparison),
-           witness_table(runs, comparison), cells_table("Better and fixed", comparison, false),
-           kernels_table(comparison), plugins_table(comparison), absent_table(comparison)}) {
-    if (!table.rows.empty()) report.tables.push_back(std::move(table));
-  }
+  report.add(promises_table(comparison));
+  report.add(cells_table("New and worse", comparison, true));
+  report.add(replay_table(comparison));
+  report.add(witness_table(runs, comparison));
+  report.add(cells_table("Better and fixed", comparison, false));
+  report.add(kernels_table(comparison));
+  report.add(plugins_table(comparison));
+  report.add(absent_table(comparison));
   report.data = comparison_json(runs, comparison);
   return report;
 }

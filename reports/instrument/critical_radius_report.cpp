@@ -30,7 +30,7 @@ class CriticalRadiusReport {
   InstrumentReport report(const std::string& command) const {
     InstrumentReport report{"critical-radius", title(),      command, notes(), {over_families(), by_family()},
                             {distribution()},  data(command)};
-    if (const InstrumentTable found = reversals(); !found.rows.empty()) report.tables.push_back(found);
+    report.add(reversals());
     return report;
   }
 

@@ -66,9 +66,7 @@ InstrumentReport diagnosis_report(const Diagnosis& diagnosis, const std::string&
       "Only answers were looked at. A value is given where the answers decide it; not_known: they "
       "do not; not_asked: the probe does not apply. Nothing is said of queries that were not asked.");
   report.tables = {diagnosis_property_table(diagnosis)};
-  if (InstrumentTable witnesses = diagnosis_witness_table(diagnosis); !witnesses.rows.empty()) {
-    report.tables.push_back(std::move(witnesses));
-  }
+  report.add(diagnosis_witness_table(diagnosis));
   DiagnosisData data;
   data.command = command;
   data.diagnosis = diagnosis;

@@ -58,11 +58,8 @@ inline std::string not_decided_text(const LookedAt& looked_at, bool may_decline)
   std::vector<std::string> parts =
       no_verdict_words({looked_at.undecided, looked_at.invalid, looked_at.unanswered},
                        may_decline ? "declined" : "declined, which it does not declare that it may");
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count != 0) parts.push_back(fmt::format("{} {}", thousands(count), what));
-  };
-  add(looked_at.outside_limits, "outside its limits");
-  add(looked_at.no_query, "not valid");
+  add_count(parts, looked_at.outside_limits, "outside its limits");
+  add_count(parts, looked_at.no_query, "not valid");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -63,6 +63,11 @@ struct InstrumentPlot {
 };
 
 struct InstrumentReport {
+  // Adds a table that has rows.
+  void add(InstrumentTable table) {
+    if (!table.rows.empty()) tables.push_back(std::move(table));
+  }
+
   std::string name;  // that of the subcommand
   std::string title;
   std::string command;             // produces the report again

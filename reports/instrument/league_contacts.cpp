@@ -64,12 +64,9 @@ std::string separation_words(const ContactTally& all, const ContactTally& scenes
 std::string contradiction_words(const ContactTally& all) {
   if (!given(all.separation)) return "-";
   std::vector<std::string> words;
-  const auto add = [&](std::uint64_t count, const char* what) {
-    if (count != 0) words.push_back(fmt::format("{} {}", thousands(count), what));
-  };
-  add(all.consistency->positive, "contacts with a separation above 0");
-  add(all.consistency->negative, "separated with one below 0");
-  add(all.consistency->missing, "answers without one of their numbers");
+  add_count(words, all.consistency->positive, "contacts with a separation above 0");
+  add_count(words, all.consistency->negative, "separated with one below 0");
+  add_count(words, all.consistency->missing, "answers without one of their numbers");
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, "; "));
 }
 
@@ -265,7 +262,7 @@ InstrumentReport league_contacts_report(const League& league, const CampaignResu
   report.data = league_report(league, result, command).data;
   InstrumentTable worst{"The worst of each kind", {"kind", "kernel", "precision", "family", "off by", "address"}, {}};
   report.data["worst_contacts"] = json_of(worst_contacts(league, result, worst));
-  if (!worst.rows.empty()) report.tables.push_back(std::move(worst));
+  report.add(std::move(worst));
   return report;
 }
 

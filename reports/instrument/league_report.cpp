@@ -83,8 +83,8 @@ class LeagueReport {
     for (const Precision precision : league_.questions.precisions) {
       if (league_.contenders < league_.kernels.size()) report.tables.push_back(faults(precision));
     }
-    for (InstrumentTable table : {findings(), causes()})
-      if (!table.rows.empty()) report.tables.push_back(std::move(table));
+    report.add(findings());
+    report.add(causes());
     return report;
   }
 

@@ -47,9 +47,9 @@ class SearchReport {
     if (const std::string faults = faults_text(all_, may_decline()); !faults.empty()) {
       report.notes.insert(report.notes.begin(), faults);
     }
-    if (InstrumentTable table = comparison_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    if (InstrumentTable table = verdict_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
-    if (InstrumentTable table = number_table(); !table.rows.empty()) report.tables.push_back(std::move(table));
+    report.add(comparison_table());
+    report.add(verdict_table());
+    report.add(number_table());
     report.tables.push_back(looked_at_table());
     report.data = data();
     return report;

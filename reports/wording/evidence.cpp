@@ -79,8 +79,7 @@ std::string evidence_text(const Evidence& evidence, std::uint64_t looked_at, std
   if (evidence.outside != 0)
     parts.push_back(
         fmt::format("{} of {} outside its limits", thousands(evidence.outside), thousands(evidence.population)));
-  if (evidence.touching != 0)
-    parts.push_back(fmt::format("{} touching, of which it promises nothing", thousands(evidence.touching)));
+  add_count(parts, evidence.touching, "touching, of which it promises nothing");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

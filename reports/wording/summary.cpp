@@ -103,14 +103,15 @@ std::string share_rounded_down(std::uint64_t part, std::uint64_t of) {
   return tenths % 10 == 0 ? fmt::format("{} %", tenths / 10) : fmt::format("{}.{} %", tenths / 10, tenths % 10);
 }
 
+void add_count(std::vector<std::string>& words, std::uint64_t count, std::string_view what) {
+  if (count != 0) words.push_back(fmt::format("{} {}", thousands(count), what));
+}
+
 std::vector<std::string> no_verdict_words(const NoVerdict& counts, std::string_view declined) {
   std::vector<std::string> words;
-  const auto add = [&](std::uint64_t count, std::string_view what) {
-    if (count != 0) words.push_back(fmt::format("{} {}", thousands(count), what));
-  };
-  add(counts.declined, declined);
-  add(counts.invalid, "called invalid");
-  add(counts.unanswered, "without an answer");
+  add_count(words, counts.declined, declined);
+  add_count(words, counts.invalid, "called invalid");
+  add_count(words, counts.unanswered, "without an answer");
   return words;
 }
 

@@ -32,6 +32,8 @@ std::string amount(double value, int digits = 6);  // significant digits, thousa
 // "61.2 %", rounded down; "less than 0.1 %", "none".
 std::string share_rounded_down(std::uint64_t part, std::uint64_t of);
 
+// Adds "44 declined" to words, where there are any.
+void add_count(std::vector<std::string>& words, std::uint64_t count, std::string_view what);
 // Queries that a kernel called neither contact nor separated, by its answer.
 struct NoVerdict {
   std::uint64_t declined = 0, invalid = 0, unanswered = 0;
