@@ -113,16 +113,15 @@ class CertificatePage {
       table.columns.insert(table.columns.end(), {cell(precision), "promised queries looked at"});
     std::vector<std::string> unchecked;
     for (const LevelState state : {LevelState::not_met, LevelState::met, LevelState::not_checked}) {
-      for (const LevelStatement& level : predicate_.levels) {
-        const auto is_there = [&](const auto& row) { return row[0] == level.level; };
-        if (state_of_level(predicate_, level.level) != state || std::ranges::any_of(table.rows, is_there)) continue;
-        if (is_unchecked(level.level)) {
-          if (std::ranges::find(unchecked, level.level) == unchecked.end()) unchecked.push_back(level.level);
+      for (const LevelStatement* level : first_of_levels(predicate_)) {
+        if (state_of_level(predicate_, level->level) != state) continue;
+        if (is_unchecked(level->level)) {
+          unchecked.push_back(level->level);
           continue;
         }
-        std::vector<std::string> row = {level.level};
+        std::vector<std::string> row = {level->level};
         for (const Precision precision : predicate_.kernel.precisions) {
-          const LevelStatement* entry = find(level.level, precision);
+          const LevelStatement* entry = find(level->level, precision);
           row.emplace_back(entry ? name(entry->state) : "-");
           row.push_back(entry == nullptr            ? "-"
                         : !entry->looked_at.empty() ? figures_of(entry->looked_at)
@@ -148,21 +147,19 @@ class CertificatePage {
     table.is_folded = true;
     for (const Precision precision : predicate_.kernel.precisions) table.columns.push_back(cell(precision));
     table.columns.insert(table.columns.end(), {"what it says", "what that rests on, or why not"});
-    std::vector<std::string> done;
-    for (const LevelStatement& level : predicate_.levels) {
-      if (std::find(done.begin(), done.end(), level.level) != done.end() || is_unchecked(level.level)) continue;
-      done.push_back(level.level);
-      std::vector<std::string> row = {level.level};
+    for (const LevelStatement* level : first_of_levels(predicate_)) {
+      if (is_unchecked(level->level)) continue;
+      std::vector<std::string> row = {level->level};
       std::string why;
       for (const Precision precision : predicate_.kernel.precisions) {
-        const LevelStatement* entry = find(level.level, precision);
+        const LevelStatement* entry = find(level->level, precision);
         row.emplace_back(entry ? name(entry->state) : "-");
         if (entry != nullptr && why.empty()) why = why_of(*entry);
-        else if (entry != nullptr && entry->state != level.state)
+        else if (entry != nullptr && entry->state != level->state)
           why += fmt::format(". In {}: {}", name(precision), why_of(*entry));
       }
-      row.push_back(level.statement);
-      row.push_back(why.empty() ? why_of(level) : why);
+      row.push_back(level->statement);
+      row.push_back(why.empty() ? why_of(*level) : why);
       table.rows.push_back(std::move(row));
     }
     return table;
@@ -197,10 +194,8 @@ class CertificatePage {
   InstrumentTable unchecked_table() const {
     InstrumentTable table{"Levels that were NOT CHECKED", {"level", "why"}, {}};
     table.is_folded = true;
-    for (const LevelStatement& level : predicate_.levels) {
-      const auto is_there = [&](const auto& row) { return row[0] == level.level; };
-      if (!is_unchecked(level.level) || std::ranges::any_of(table.rows, is_there)) continue;
-      table.rows.push_back({level.level, level.reason.value_or("-")});
+    for (const LevelStatement* level : first_of_levels(predicate_)) {
+      if (is_unchecked(level->level)) table.rows.push_back({level->level, level->reason.value_or("-")});
     }
     return table;
   }

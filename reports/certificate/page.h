@@ -22,6 +22,8 @@ std::string looked_sentence(const CertificatePredicate& predicate);
 // "it gave no answer that counts in binary32"; empty where it gave some in each precision.
 std::string no_answers_sentence(const CertificatePredicate& predicate);
 
+// The first statement of each level, in their order: there is one for each precision.
+std::vector<const LevelStatement*> first_of_levels(const CertificatePredicate& predicate);
 // The levels of a state in all precisions together: "not met" where it is so in one, else "NOT CHECKED" where it is so
 // in one, else "met". By their claims: "exact within its limits: 19 of 27 families".
 std::vector<std::string> levels_with(const CertificatePredicate& predicate, LevelState state);

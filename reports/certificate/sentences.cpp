@@ -97,13 +97,20 @@ std::string decided_text(const CertificatePredicate& predicate) {
   return text;
 }
 
-std::vector<std::string> levels_with(const CertificatePredicate& predicate, LevelState state) {
-  std::vector<std::string> names, claims;
+std::vector<const LevelStatement*> first_of_levels(const CertificatePredicate& predicate) {
+  std::vector<const LevelStatement*> first;
   for (const LevelStatement& entry : predicate.levels) {
-    const std::string& level = entry.level;
-    if (std::ranges::find(names, level) != names.end() || state_of_level(predicate, level) != state) continue;
-    names.push_back(level);
-    claims.push_back(state == LevelState::met ? claim_of_level(predicate, level) : level);
+    if (std::ranges::none_of(first, [&](const LevelStatement* known) { return known->level == entry.level; }))
+      first.push_back(&entry);
+  }
+  return first;
+}
+
+std::vector<std::string> levels_with(const CertificatePredicate& predicate, LevelState state) {
+  std::vector<std::string> claims;
+  for (const LevelStatement* entry : first_of_levels(predicate)) {
+    if (state_of_level(predicate, entry->level) == state)
+      claims.push_back(state == LevelState::met ? claim_of_level(predicate, entry->level) : std::string(entry->level));
   }
   return claims;
 }

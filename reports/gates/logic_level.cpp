@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "fuzz/queries/family.h"
 #include "fuzz/queries/image_groups.h"
 #include "reports/gates/invariant_level.h"

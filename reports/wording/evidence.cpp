@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "fuzz/record/tally.h"
 #include "fuzz/record/proportions.h"
