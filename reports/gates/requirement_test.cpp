@@ -421,6 +421,16 @@ TEST(GateLevels, HaveNamesAndSentencesOfTheirOwn) {
   }
 }
 
+// A sentence that does not read its argument would let anything pass for one.
+TEST(GateLevels, RefuseAnArgumentThatIsNone) {
+  for (const GateLevel* level : gate_levels()) {
+    const std::string name(level->name());
+    EXPECT_THROW(parse_level(name + "="), Error) << level->usage;
+    if (name == "no-worse-than") continue;  // whose argument is any text
+    EXPECT_THROW(parse_level(name + "=-1 of them"), Error) << level->usage;
+  }
+}
+
 }  // namespace
 
 }  // namespace axiscert
