@@ -15,6 +15,19 @@ namespace {
 // A record is checked when it is read; one that is made in a predicate may be off.
 std::uint64_t without(std::uint64_t all, std::uint64_t part) { return all - std::min(all, part); }
 
+}  // namespace
+
+std::uint64_t Evidence::decided() const { return without(promised(), declined() + invalid + unanswered); }
+std::uint64_t Evidence::decided_for(FlipKind kind) const {
+  const bool is_contacts = kind == FlipKind::false_separation;
+  const std::uint64_t most = without(promised_for(kind), is_contacts ? declined_contacts : declined_separations);
+  // Answers that are invalid or missing may be of either kind: the counts of the decided tell.
+  return invalid + unanswered == 0 ? most : std::min(most, is_contacts ? decided_contacts : decided_separations);
+}
+void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
+
+namespace {
+
 Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthCounts& truth,
                      const VerdictTally& verdict) {
   const OutsideTally beyond = verdict.outside_limits.value_or(OutsideTally());
@@ -38,8 +51,6 @@ Evidence evidence_in(TouchingPolicy touching, std::uint64_t trials, const TruthC
 }
 
 }  // namespace
-
-void Evidence::add(const Evidence& other) { merge_fields(*this, other); }
 
 std::uint64_t contacts_of(TouchingPolicy touching, const TruthCounts& truth) {
   return touching == TouchingPolicy::contact ? truth.contact : truth.contact - truth.touching;

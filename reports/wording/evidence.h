@@ -40,11 +40,11 @@ struct Evidence {
   std::uint64_t promised() const { return contacts + separations; }
   std::uint64_t declined() const { return declined_contacts + declined_separations; }
   NoVerdict no_verdict() const { return {declined(), invalid, unanswered}; }
-  std::uint64_t decided() const { return decided_contacts + decided_separations; }
+  // Promised, and called separated or contact. An answer `invalid` or none may be to a touching query, which is not
+  // promised: then this is too small, and the level fails in any case.
+  std::uint64_t decided() const;
   // Those of them that could be wrong in this way: contacts could be missed, separations called contact.
-  std::uint64_t decided_for(FlipKind kind) const {
-    return kind == FlipKind::false_separation ? decided_contacts : decided_separations;
-  }
+  std::uint64_t decided_for(FlipKind kind) const;
   std::uint64_t promised_for(FlipKind kind) const {
     return kind == FlipKind::false_separation ? contacts : separations;
   }
